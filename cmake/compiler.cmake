@@ -1,0 +1,30 @@
+# One set of flags for every target: the same bytes on every machine (no contraction, no -march),
+# warnings as errors, and fast builds where ccache and mold are at hand.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(LIMPET_CCACHE ccache)
+if(LIMPET_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${LIMPET_CCACHE})
+endif()
+find_program(LIMPET_MOLD mold)
+if(LIMPET_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+
+# -frounding-math is what CGAL's interval arithmetic asks of the compiler; only geometry/ needs it.
+add_compile_options(-ffp-contract=off)
+add_library(limpet_warnings INTERFACE)
+target_compile_options(limpet_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+if(LIMPET_WERROR)
+  target_compile_options(limpet_warnings INTERFACE -Werror)
+endif()
+if(LIMPET_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

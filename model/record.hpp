@@ -1,0 +1,82 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace limpet::model {
+
+__extension__ typedef __int128 Int128;
+
+/// Exact sums over the sensor points a segment represents, in units of the model's grid step
+/// (thesis §2.2, "model segment data").
+struct MomentsRecord {
+  std::int64_t count = 0;
+  std::array<Int128, 3> sum{};      ///< Σx, Σy, Σz
+  std::array<Int128, 6> product{};  ///< Σxx, Σxy, Σxz, Σyy, Σyz, Σzz
+};
+
+/// A sensor point kept by a young segment: grid coordinates, sensing axis (unit, into the surface), and
+/// how often a dissolved segment has handed it back.
+struct RawPointRecord {
+  std::array<std::int64_t, 3> at{};
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  int returned = 0;
+};
+
+struct PointSegmentRecord {
+  std::uint64_t id = 0;
+  MomentsRecord moments;
+  Eigen::Vector3d axis_sum = Eigen::Vector3d::Zero();
+  std::vector<RawPointRecord> raw;
+};
+
+/// A vertex and the edge that leaves it anticlockwise. x, y are chart coordinates in grid steps (whole
+/// numbers wherever the engine keeps the grid).
+struct VertexRecord {
+  double x = 0, y = 0;
+  std::uint64_t edge = 0;     ///< identity of the edge from this vertex to the next
+  std::uint64_t partner = 0;  ///< identity of the corresponding shared edge; 0: not shared
+};
+
+struct PolygonSegmentRecord {
+  std::uint64_t id = 0;
+  MomentsRecord moments;
+  Eigen::Vector3d axis_sum = Eigen::Vector3d::Zero();
+  /// Chart frame in the world: origin (scan's unit), orthonormal axes u, v and outward normal u × v.
+  Eigen::Vector3d chart_origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d chart_u = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d chart_v = Eigen::Vector3d::UnitY();
+  Eigen::Vector3d chart_normal = Eigen::Vector3d::UnitZ();
+  /// Published plane as a height over the chart, in grid steps: h(x, y) = height[0] + height[1]·x + height[2]·y.
+  /// The world position of a vertex is chart_origin + step·(x·u + y·v + h(x, y)·normal).
+  std::array<double, 3> height{};
+  Eigen::Vector3d initial_centroid = Eigen::Vector3d::Zero();
+  Eigen::Vector3d initial_normal = Eigen::Vector3d::UnitZ();
+  /// Boundary cycles, interior on the left: the outer perimeter (anticlockwise) first, then the holes (clockwise).
+  std::vector<std::vector<VertexRecord>> cycles;
+  std::vector<RawPointRecord> raw;
+};
+
+/// Everything a model is, as plain data: what the native file holds (docs/native_format.md).
+struct ModelRecord {
+  double resolution = 0;      ///< λ, scan's unit
+  double angle_rad = 0;       ///< μ
+  double noise = 0;           ///< standard deviation of a reading along its axis, scan's unit
+  double tolerance = 0;       ///< how far a surface may be from its plane, scan's unit; 0: by noise alone
+  double grid_step = 0;       ///< a power of two, scan's unit
+  std::string arithmetic;     ///< "exact", "float-grid" or "float"
+  std::string rules;          ///< names of the update rules in force, comma separated; "thesis": none
+  std::int64_t points = 0;    ///< sensor points accepted
+  std::int64_t refused = 0;   ///< records that were no point (not finite, zero axis, out of range)
+  std::int64_t expired = 0;   ///< outliers given up
+  std::int64_t sets = 0;      ///< sets of sensor points processed
+  std::uint64_t next_segment = 1, next_edge = 1;  ///< identities not yet used
+  std::vector<PointSegmentRecord> point_segments;      ///< ascending id
+  std::vector<PolygonSegmentRecord> polygon_segments;  ///< ascending id
+};
+
+}  // namespace limpet::model
