@@ -1,0 +1,104 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <limpet/io/byte_source.hpp>
+#include <limpet/io/error.hpp>
+
+namespace limpet::io {
+namespace {
+constexpr std::size_t kBufferBytes = 1 << 20;
+}
+
+ByteSource::ByteSource(const std::string& path) : name_(path == "-" ? "standard input" : path) {
+  file_ = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file_ < 0) throw InputError(name_, std::string("cannot be opened: ") + std::strerror(errno));
+  struct stat found;
+  if (::fstat(file_, &found) == 0 && S_ISDIR(found.st_mode)) {
+    if (file_ != STDIN_FILENO) ::close(file_);
+    throw InputError(name_, "is a folder; give the name of a file in it");
+  }
+  buffer_.resize(kBufferBytes);
+}
+
+ByteSource::~ByteSource() {
+  if (file_ > STDIN_FILENO) ::close(file_);
+}
+
+bool ByteSource::fill() {
+  if (ended_) return false;
+  if (begin_ > 0) {
+    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    end_ -= begin_;
+    begin_ = 0;
+  }
+  if (end_ == buffer_.size()) return false;
+  ssize_t got = 0;
+  do {
+    got = ::read(file_, buffer_.data() + end_, buffer_.size() - end_);
+  } while (got < 0 && errno == EINTR);
+  if (got < 0) throw InputError(here_byte(), std::string("cannot be read: ") + std::strerror(errno));
+  if (got == 0) ended_ = true;
+  end_ += static_cast<std::size_t>(got);
+  return got > 0;
+}
+
+std::string_view ByteSource::peek(std::size_t count) {
+  while (end_ - begin_ < count && fill()) {
+  }
+  return {buffer_.data() + begin_, end_ - begin_};
+}
+
+bool ByteSource::line(std::string_view& text) {
+  std::size_t searched = 0;
+  for (;;) {
+    const char* from = buffer_.data() + begin_;
+    const std::size_t there = end_ - begin_;
+    const void* found = std::memchr(from + searched, '\n', there - searched);
+    if (found == nullptr) {
+      searched = there;
+      if (fill()) continue;
+      if (end_ - begin_ == kBufferBytes) {
+        throw InputError(name_ + ": line " + std::to_string(line_number_ + 1),
+                         "longer than 1 MiB; is this a binary file?");
+      }
+      if (there == 0) return false;
+    }
+    const std::size_t length =
+        found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - from) : there;
+    text = {buffer_.data() + begin_, length};
+    const std::size_t taken = found != nullptr ? length + 1 : length;
+    begin_ += taken;
+    offset_ += static_cast<std::int64_t>(taken);
+    ++line_number_;
+    if (text.ends_with('\r')) text.remove_suffix(1);
+    return true;
+  }
+}
+
+std::string_view ByteSource::take(std::size_t count) {
+  if (end_ - begin_ < count && peek(count).size() < count) return {};
+  const std::string_view bytes(buffer_.data() + begin_, count);
+  begin_ += count;
+  offset_ += static_cast<std::int64_t>(count);
+  return bytes;
+}
+
+bool ByteSource::skip(std::uint64_t count) {
+  while (count > 0) {
+    if (begin_ == end_ && !fill()) return false;
+    const std::uint64_t there = end_ - begin_, step = count < there ? count : there;
+    begin_ += step;
+    offset_ += static_cast<std::int64_t>(step);
+    count -= step;
+  }
+  return true;
+}
+
+std::string ByteSource::here_line() const { return name_ + ": line " + std::to_string(line_number_); }
+std::string ByteSource::here_byte() const { return name_ + ": byte " + std::to_string(offset_); }
+
+}  // namespace limpet::io

@@ -1,0 +1,251 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <istream>
+#include <limits>
+#include <limpet/io/error.hpp>
+#include <limpet/io/native.hpp>
+#include <limpet/io/text.hpp>
+
+namespace limpet::io {
+namespace {
+
+/// Lines of a native file, taken apart field by field. Counts are promises, never reasons to allocate: every
+/// record is pushed as its line is read, so a lying count ends at the end of the file.
+class Fields {
+ public:
+  Fields(std::istream& stream, const std::string& name) : stream_(stream), name_(name) {}
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(name_ + ": line " + std::to_string(line_) + ": " + what + "; see docs/native_format.md");
+  }
+
+  /// Goes to the next line that is no comment.
+  void line() {
+    do {
+      ++line_;
+      if (!std::getline(stream_, text_)) fail("the file ends before its 'end' line (truncated?)");
+      if (stream_.eof()) fail("the file ends within a line (truncated?)");
+    } while (text_.starts_with('#'));
+    rest_ = text_;
+    ended_ = false;
+  }
+
+  void line(std::string_view word) {
+    line();
+    const std::string_view found = field();
+    if (found != word) fail("expected '" + std::string(word) + "', found " + quoted(found));
+  }
+
+  std::string_view field() {
+    if (ended_) fail("a field is missing");
+    const auto space = rest_.find(' ');
+    const std::string_view token = rest_.substr(0, space);
+    ended_ = space == std::string_view::npos;
+    rest_.remove_prefix(ended_ ? rest_.size() : space + 1);
+    return token;
+  }
+
+  void done() const {
+    if (!ended_) fail("more fields than the format has: " + quoted(rest_));
+  }
+
+  double real() {
+    const std::string_view token = field();
+    double value = 0;
+    if (!parse_double(token, value) || token.starts_with('+')) fail(quoted(token) + " is not a number");
+    if (!std::isfinite(value)) fail(quoted(token) + " is not a finite number");
+    return value;
+  }
+
+  Eigen::Vector3d vector() {
+    const double x = real(), y = real(), z = real();
+    return {x, y, z};
+  }
+
+  template <class Integer>
+  Integer integer() {
+    const std::string_view token = field();
+    Integer value = 0;
+    if (!parse_integer(token, value)) fail(quoted(token) + " is not a whole number that fits here");
+    return value;
+  }
+
+  std::int64_t count() {
+    const auto value = integer<std::int64_t>();
+    if (value < 0) fail("a count is negative");
+    return value;
+  }
+
+  std::string word() {
+    const std::string_view token = field();
+    if (token.empty()) fail("a word is missing");
+    return std::string(token);
+  }
+
+  void nothing_more() {
+    ++line_;
+    if (stream_.peek() != std::istream::traits_type::eof()) fail("something follows 'end'");
+  }
+
+ private:
+  std::istream& stream_;
+  const std::string& name_;
+  long line_ = 0;
+  std::string text_;
+  std::string_view rest_;
+  bool ended_ = true;
+};
+
+double single(Fields& in, std::string_view word) {
+  in.line(word);
+  const double value = in.real();
+  in.done();
+  return value;
+}
+
+model::MomentsRecord read_moments(Fields& in) {
+  model::MomentsRecord moments;
+  moments.count = in.count();
+  for (model::Int128& sum : moments.sum) sum = in.integer<model::Int128>();
+  for (model::Int128& product : moments.product) product = in.integer<model::Int128>();
+  return moments;
+}
+
+std::vector<model::RawPointRecord> read_raw(Fields& in) {
+  in.line("raw");
+  const std::int64_t count = in.count();
+  in.done();
+  std::vector<model::RawPointRecord> raw;
+  for (std::int64_t i = 0; i < count; ++i) {
+    in.line();
+    model::RawPointRecord& point = raw.emplace_back();
+    for (std::int64_t& coordinate : point.at) coordinate = in.integer<std::int64_t>();
+    point.axis = in.vector();
+    const std::int64_t returned = in.count();
+    if (returned > std::numeric_limits<int>::max()) in.fail("a point returned too often");
+    point.returned = static_cast<int>(returned);
+    in.done();
+  }
+  return raw;
+}
+
+template <class Segment>
+Segment begin_segment(Fields& in, std::string_view word) {
+  Segment segment;
+  in.line(word);
+  segment.id = in.integer<std::uint64_t>();
+  segment.moments = read_moments(in);
+  segment.axis_sum = in.vector();
+  in.done();
+  return segment;
+}
+
+std::vector<model::VertexRecord> read_cycle(Fields& in) {
+  in.line("cycle");
+  const std::int64_t count = in.count();
+  in.done();
+  std::vector<model::VertexRecord> cycle;
+  for (std::int64_t i = 0; i < count; ++i) {
+    in.line();
+    model::VertexRecord& vertex = cycle.emplace_back();
+    vertex.x = in.real();
+    vertex.y = in.real();
+    vertex.edge = in.integer<std::uint64_t>();
+    vertex.partner = in.integer<std::uint64_t>();
+    in.done();
+  }
+  return cycle;
+}
+
+model::PolygonSegmentRecord read_polygon(Fields& in) {
+  auto segment = begin_segment<model::PolygonSegmentRecord>(in, "polygon");
+  in.line("chart");
+  segment.chart_origin = in.vector();
+  segment.chart_u = in.vector();
+  segment.chart_v = in.vector();
+  segment.chart_normal = in.vector();
+  in.done();
+  in.line("height");
+  for (double& coefficient : segment.height) coefficient = in.real();
+  in.done();
+  in.line("initial");
+  segment.initial_centroid = in.vector();
+  segment.initial_normal = in.vector();
+  in.done();
+  in.line("cycles");
+  const std::int64_t cycles = in.count();
+  in.done();
+  for (std::int64_t i = 0; i < cycles; ++i) segment.cycles.push_back(read_cycle(in));
+  segment.raw = read_raw(in);
+  return segment;
+}
+
+void read_head(Fields& in, model::ModelRecord& model) {
+  in.line("limpet");
+  if (const std::string version = in.word(); version != "1") {
+    in.fail("version " + quoted(version) + " of the format is not known (this program reads version 1)");
+  }
+  in.done();
+  model.resolution = single(in, "resolution");
+  model.angle_rad = single(in, "angle");
+  model.noise = single(in, "noise");
+  model.tolerance = single(in, "tolerance");
+  model.grid_step = single(in, "grid");
+  int exponent = 0;
+  if (!(model.grid_step > 0) || std::frexp(model.grid_step, &exponent) != 0.5) {
+    in.fail("the grid step is not a power of two");
+  }
+  in.line("arithmetic");
+  model.arithmetic = in.word();
+  in.done();
+  if (model.arithmetic != "exact" && model.arithmetic != "float-grid" && model.arithmetic != "float") {
+    in.fail("the arithmetic " + quoted(model.arithmetic) + " is not one of exact, float-grid, float");
+  }
+  in.line("rules");
+  model.rules = in.word();
+  in.done();
+  in.line("counts");
+  model.points = in.count();
+  model.refused = in.count();
+  model.expired = in.count();
+  model.sets = in.count();
+  in.done();
+  in.line("next");
+  model.next_segment = in.integer<std::uint64_t>();
+  model.next_edge = in.integer<std::uint64_t>();
+  in.done();
+}
+
+}  // namespace
+
+model::ModelRecord read_native(std::istream& stream, const std::string& name) {
+  if (stream.peek() == std::istream::traits_type::eof()) throw InputError(name, "the file is empty");
+  Fields in(stream, name);
+  model::ModelRecord model;
+  read_head(in, model);
+  in.line("segments");
+  const std::int64_t points = in.count(), polygons = in.count();
+  in.done();
+  for (std::int64_t i = 0; i < points; ++i) {
+    auto& segment = model.point_segments.emplace_back(begin_segment<model::PointSegmentRecord>(in, "point"));
+    segment.raw = read_raw(in);
+  }
+  for (std::int64_t i = 0; i < polygons; ++i) model.polygon_segments.push_back(read_polygon(in));
+  in.line("end");
+  in.done();
+  in.nothing_more();
+  return model;
+}
+
+model::ModelRecord load_native(const std::string& path) {
+  if (path == "-") return read_native(std::cin, "standard input");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(path, "cannot be opened; is the name right?");
+  stream.peek();
+  if (stream.bad()) throw InputError(path, "cannot be read; is it a folder?");
+  return read_native(stream, path);
+}
+
+}  // namespace limpet::io

@@ -1,0 +1,97 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limpet/io/error.hpp>
+#include <limpet/io/scan_columns.hpp>
+
+namespace limpet::io {
+namespace {
+
+int find(const std::vector<std::string>& names, std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+int find_first(const std::vector<std::string>& names, std::initializer_list<std::string_view> wanted) {
+  for (const std::string_view name : wanted) {
+    if (const int column = find(names, name); column >= 0) return column;
+  }
+  return -1;
+}
+
+}  // namespace
+
+bool normalise(Eigen::Vector3d& v) {
+  const double largest = std::max({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+  if (!v.allFinite() || largest == 0) return false;
+  const double squared = v.x() * v.x() + v.y() * v.y() + v.z() * v.z();
+  if (std::abs(squared - 1) <= 1e-15) return true;
+  v /= largest;  // so that no square over- or underflows
+  v /= std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
+  return true;
+}
+
+ScanColumns::ScanColumns(const std::vector<std::string>& names, std::optional<Eigen::Vector3d> viewpoint,
+                         const std::string& where) {
+  column_.fill(-1);
+  for (const auto& [role, name] : {std::pair{kX, "x"}, {kY, "y"}, {kZ, "z"}}) {
+    column_[role] = find(names, name);
+    if (column_[role] < 0) throw InputError(where, std::string("the points have no ") + name);
+  }
+  const auto axis_columns = [&](std::string_view x, std::string_view y, std::string_view z) {
+    const std::array<int, 3> found = {find(names, x), find(names, y), find(names, z)};
+    if (found[0] < 0 || found[1] < 0 || found[2] < 0) return false;
+    std::copy(found.begin(), found.end(), column_.begin() + kAxisX);
+    return true;
+  };
+  if (axis_columns("ax", "ay", "az")) {
+    axis_source_ = AxisSource::kAxis;
+  } else if (axis_columns("nx", "ny", "nz") || axis_columns("normal_x", "normal_y", "normal_z")) {
+    axis_source_ = AxisSource::kNormal;
+  } else if (viewpoint) {
+    axis_source_ = AxisSource::kViewpoint;
+    viewpoint_ = *viewpoint;
+  }
+  column_[kLabel] = find_first(names, {"face", "label", "segment_index", "segment", "plane", "plane_index",
+                                       "shape_index", "scalar_label", "scalar_Label", "region"});
+}
+
+ScanColumns::Role ScanColumns::role(std::size_t column) const {
+  const auto found = std::find(column_.begin(), column_.end(), static_cast<int>(column));
+  return static_cast<Role>(found - column_.begin());
+}
+
+bool ScanColumns::make(const Row& row, ScanRecord& record) const {
+  Eigen::Vector3d& p = record.point.position;
+  Eigen::Vector3d& a = record.point.axis;
+  p = {row[kX], row[kY], row[kZ]};
+  if (!p.allFinite()) return false;
+  record.has_axis = axis_source_ != AxisSource::kNone;
+  switch (axis_source_) {
+    case AxisSource::kNone:
+      a.setZero();
+      break;
+    case AxisSource::kAxis:
+      a = {row[kAxisX], row[kAxisY], row[kAxisZ]};
+      break;
+    case AxisSource::kNormal:
+      a = {0 - row[kAxisX], 0 - row[kAxisY], 0 - row[kAxisZ]};
+      break;
+    case AxisSource::kViewpoint:
+      a = p - viewpoint_;
+      break;
+  }
+  if (record.has_axis && !normalise(a)) return false;
+  record.label = -1;
+  if (column_[kLabel] >= 0) {
+    constexpr double kExact = 9007199254740992.0;  // 2⁵³
+    const double label = row[kLabel];
+    if (label > -kExact && label < kExact && std::floor(label) == label) {
+      record.label = static_cast<std::int64_t>(label);
+    }
+  }
+  return true;
+}
+
+}  // namespace limpet::io

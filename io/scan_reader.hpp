@@ -1,0 +1,56 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limpet/model/sensor_point.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace limpet::io {
+
+/// One reading of a scan.
+struct ScanRecord {
+  model::SensorPoint point;  ///< scan's unit; the axis is zero when the scan does not tell it
+  bool has_axis = false;     ///< the axis is known and has length 1
+  std::int64_t label = -1;   ///< what the scan says the point belongs to; -1: nothing
+};
+
+struct ScanOptions {
+  /// Where the sensor stood, scan's unit: gives each point without axis or normal the axis from here to it.
+  /// A PCD file's own VIEWPOINT is used where this is empty.
+  std::optional<Eigen::Vector3d> viewpoint;
+  /// "ply", "pcd", "xyz" or "pwn"; empty: told by the first bytes, then by the file's extension.
+  std::string format;
+};
+
+/// A scan, read in order, one record at a time, in memory that does not depend on its size (a compressed PCD
+/// excepted, which is held whole).
+class ScanReader {
+ public:
+  virtual ~ScanReader() = default;
+
+  /// The next record that is a point; false at the end. Records that are none (coordinates or axis not
+  /// finite, axis of length zero) are counted and passed over. Errors: InputError at structural damage, after
+  /// every record before it has been given out.
+  virtual bool next(ScanRecord& record) = 0;
+
+  /// Records the file promises; -1 when it does not say.
+  virtual std::int64_t promised() const { return -1; }
+
+  /// Records passed over so far.
+  std::int64_t skipped() const { return skipped_; }
+
+ protected:
+  std::int64_t skipped_ = 0;
+};
+
+/// Opens a scan: PLY (ASCII, binary little and big endian), PCD (ASCII, binary, compressed), XYZ
+/// (`x y z [nx ny nz]`, or columns named by a comment such as `# x y z ax ay az`) or PWN (`x y z nx ny nz`).
+/// `path` "-" is standard input. The axis of a point comes from `ax ay az`, else minus the normal, else the
+/// direction from the viewpoint; it is left bit for bit where its length is 1 already, and normalised
+/// otherwise. Errors: InputError for what cannot be read, a damaged header, an unknown format, or a mesh.
+std::unique_ptr<ScanReader> open_scan(const std::string& path, const ScanOptions& options);
+
+}  // namespace limpet::io
