@@ -1,0 +1,28 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <limpet/simulation/mesh.hpp>
+#include <string>
+#include <vector>
+
+namespace limpet::simulation {
+
+/// A world to be scanned, and where to scan it from so that nearly all of its faces are seen.
+struct Scene {
+  Mesh mesh;
+  std::vector<Eigen::Vector3d> viewpoints;
+  double feature = 0;  ///< smallest width a model should show; 0: not known
+};
+
+/// Makes a named shape (shapes.hpp) or else reads the mesh file of that name. Throws MeshError.
+Scene make_scene(const std::string& shape_or_path);
+
+/// Around the mesh, two diagonals of its bounding box away: the directions of a cube's eight corners and,
+/// if asked for, of its six faces. None is quite symmetric, so no ray runs along an axis-parallel edge.
+std::vector<Eigen::Vector3d> viewpoints_around(const Mesh& mesh, bool with_faces);
+
+/// Above a height field, two diagonals away: eight azimuths at an elevation of about 60°, and the zenith.
+std::vector<Eigen::Vector3d> viewpoints_above(const Mesh& mesh);
+
+}  // namespace limpet::simulation

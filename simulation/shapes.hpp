@@ -1,0 +1,42 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <limpet/simulation/mesh.hpp>
+#include <string>
+#include <vector>
+
+namespace limpet::simulation {
+
+/// Named worlds, whose true faces are known by construction. Lengths are in the scan's unit; all coordinates
+/// are multiples of 1/64 unless a parameter says otherwise. `feature` is the smallest width of a face, or gap
+/// between faces, that a model should show: a linear resolution well below it is needed to see all faces.
+///
+///   name            what                                                        faces    feature
+///   cube            1 × 1 × 1                                                        6    1
+///   L               1 × 1 × 1 without a quarter: one concave edge                    8    0.5
+///   step_hole       block with a step and a square hole through the lower part      12    0.25
+///   plate3          3 × 1 × 0.25 with three square holes through it                 18    0.25
+///   open_box        cube's outside without the lid: an open sheet                    5    1
+///   thin_plate:T    1 × 1 × T, 0 < T ≤ 1                                             6    T
+///   pyramid         square base 1 × 1, height 1                                      5    1
+///   octahedron      corners at distance 1 from the centre                            8    1.2247 (a face's
+///   height) room:SEED       a 12 × 8 × 3 room seen from inside, with boxes on the floor,     about 200 0.25
+///                   against the walls and on one another (SEED 1 if left out)
+///   city:N[:SEED]   N boxes of 0.8 to 1.2 × 0.8 to 1.2, 0.5 to 1.5 high, on a        5N + 1       0.5
+///                   ground sheet, one in each cell of a grid of pitch 2.125, at
+///                   least 0.5 apart; the ground is one face with N holes
+///
+/// All but open_box, room and city are closed. Throws MeshError on a name that is none of these, or a
+/// parameter out of range (N from 1 to 100 000). The same name gives the same mesh on every machine.
+Mesh make_shape(const std::string& name);
+
+/// The `feature` of a shape. Throws as make_shape does.
+double feature_size(const std::string& name);
+
+/// True if the name's first part (up to a colon) is that of a shape.
+bool is_shape(const std::string& name);
+
+/// One working name of each kind of shape.
+std::vector<std::string> shape_names();
+
+}  // namespace limpet::simulation

@@ -1,0 +1,16 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstdint>
+#include <limpet/simulation/mesh.hpp>
+
+namespace limpet::simulation {
+
+/// The room's furniture stands in the cells of a grid; the lines between the cells are aisles.
+inline constexpr double kRoomLength = 12, kRoomWidth = 8, kRoomHeight = 3;
+inline constexpr int kRoomColumns = 6, kRoomRows = 4;
+
+Mesh make_room(std::uint64_t seed);
+Mesh make_city(int boxes, std::uint64_t seed);
+
+}  // namespace limpet::simulation
