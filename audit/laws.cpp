@@ -1,0 +1,71 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <cmath>
+#include <limpet/audit/laws.hpp>
+#include <limpet/audit/laws_internal.hpp>
+
+namespace limpet::audit {
+
+const std::vector<Law>& laws() {
+  static const std::vector<Law> all = {
+      {"finite", "every number is finite"},
+      {"parameters",
+       "resolution > 0, 0 < angle < pi/2, noise and tolerance >= 0, the grid step a power of two"},
+      {"segment-identity", "segment identities are nonzero, unique, and below the next one"},
+      {"edge-identity", "edge identities are nonzero, unique over the model, and below the next one"},
+      {"segment-count", "the header counts as many segments of each kind as there are"},
+      {"point-count", "points processed = the sum of m over all segments + points expired"},
+      {"moments", "m >= 1 (polygons: or no data at all), and the covariance is positive semidefinite"},
+      {"raw", "raw points are none or all m, and then sum to the moments exactly"},
+      {"axes", "raw sensing axes are unit vectors that sum to the segment's; no sum is longer than m"},
+      {"point-variance", "the sensor points of a point segment have variance below resolution^2"},
+      {"plane-variance", "the sensor points of a polygon have variance below resolution^2 about its plane"},
+      {"chart", "the chart axes u, v, n are orthonormal and right-handed"},
+      {"tilt", "the published plane is within 3 degrees of the chart"},
+      {"outward", "the plane's normal faces against the sum of the sensing axes"},
+      {"grid", "unless arithmetic is float, chart coordinates are whole and at most 2^40"},
+      {"cycle-size", "a polygon has an outer cycle, and every cycle at least three vertices"},
+      {"edge-length", "no edge has zero length"},
+      {"simple", "edges of one segment meet only where consecutive ones join"},
+      {"direction", "the outer cycle runs anticlockwise, holes clockwise"},
+      {"nesting", "holes lie inside the outer cycle and outside each other"},
+      {"partner", "a shared edge has exactly one partner, mutual, on another segment"},
+      {"shared-line", "both copies end within 2 grid steps / sin(theta) of the planes' common line"},
+      {"shared-direction", "the copies of a shared edge run in opposite directions along the common line"},
+      {"shared-overlap", "the copies of a shared edge overlap along the common line"},
+      {"shared-ends",
+       "the copies' ends coincide to 4 grid steps / sin(theta), unless one is a corner vertex"},
+      {"concavity", "a pair of neighbours has one concavity"},
+      {"local-order", "edges shared by two cycles come on the one in the reverse order of the other"},
+      {"global-order", "no two neighbours' edges alternate on a cycle"},
+  };
+  return all;
+}
+
+std::vector<Violation> judge(const Document& document) {
+  using namespace internal;
+  Report report;
+  judge_finite(document, report);
+  judge_parameters(document, report);
+  judge_identities(document, report);
+  judge_counts(document, report);
+  const double step = document.step;
+  const double resolution = document.resolution;
+  const bool has_scale = std::isfinite(step) && step > 0 && std::isfinite(resolution) && resolution > 0;
+  for (const Segment& segment : document.point_segments) {
+    if (!is_finite(segment)) continue;
+    judge_data(segment, report);
+    if (segment.moments.m == 0) report.add("moments", segment_name(segment), "a point segment has no data");
+    if (has_scale) judge_point(segment, step, resolution, report);
+  }
+  for (const Polygon& polygon : document.polygons) {
+    if (!is_finite(polygon)) continue;
+    judge_data(polygon, report);
+    if (has_scale) judge_plane(polygon, step, resolution, report);
+    if (document.arithmetic != Arithmetic::kFloat) judge_grid(polygon, report);
+    judge_perimeter(polygon, report);
+  }
+  judge_shared_edges(document, report);
+  return report.take();
+}
+
+}  // namespace limpet::audit
