@@ -35,7 +35,7 @@ class Fields {
   void line(std::string_view word) {
     line();
     const std::string_view found = field();
-    if (found != word) fail("expected '" + std::string(word) + "', found " + quoted(found));
+    if (found != word) fail("expected '" + std::string(word) + "', found " + in_quotes(found));
   }
 
   std::string_view field() {
@@ -48,14 +48,14 @@ class Fields {
   }
 
   void done() const {
-    if (!ended_) fail("more fields than the format has: " + quoted(rest_));
+    if (!ended_) fail("more fields than the format has: " + in_quotes(rest_));
   }
 
   double real() {
     const std::string_view token = field();
     double value = 0;
-    if (!parse_double(token, value) || token.starts_with('+')) fail(quoted(token) + " is not a number");
-    if (!std::isfinite(value)) fail(quoted(token) + " is not a finite number");
+    if (!parse_double(token, value) || token.starts_with('+')) fail(in_quotes(token) + " is not a number");
+    if (!std::isfinite(value)) fail(in_quotes(token) + " is not a finite number");
     return value;
   }
 
@@ -68,7 +68,7 @@ class Fields {
   Integer integer() {
     const std::string_view token = field();
     Integer value = 0;
-    if (!parse_integer(token, value)) fail(quoted(token) + " is not a whole number that fits here");
+    if (!parse_integer(token, value)) fail(in_quotes(token) + " is not a whole number that fits here");
     return value;
   }
 
@@ -185,7 +185,7 @@ model::PolygonSegmentRecord read_polygon(Fields& in) {
 void read_head(Fields& in, model::ModelRecord& model) {
   in.line("limpet");
   if (const std::string version = in.word(); version != "1") {
-    in.fail("version " + quoted(version) + " of the format is not known (this program reads version 1)");
+    in.fail("version " + in_quotes(version) + " of the format is not known (this program reads version 1)");
   }
   in.done();
   model.resolution = single(in, "resolution");
@@ -201,7 +201,7 @@ void read_head(Fields& in, model::ModelRecord& model) {
   model.arithmetic = in.word();
   in.done();
   if (model.arithmetic != "exact" && model.arithmetic != "float-grid" && model.arithmetic != "float") {
-    in.fail("the arithmetic " + quoted(model.arithmetic) + " is not one of exact, float-grid, float");
+    in.fail("the arithmetic " + in_quotes(model.arithmetic) + " is not one of exact, float-grid, float");
   }
   in.line("rules");
   model.rules = in.word();

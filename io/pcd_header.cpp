@@ -19,12 +19,12 @@ class PcdHeaderReader {
       if (!source_.line(line)) fail("the file ends within its header, before 'DATA' (truncated?)");
       const std::string_view word = next_token(line);
       if (word.empty() || word.starts_with('#')) continue;
-      if (!is_known(word)) fail(quoted(word) + " is no word of a PCD header");
+      if (!is_known(word)) fail(in_quotes(word) + " is no word of a PCD header");
       std::vector<std::string>& values = entries_[std::string(word)];
-      if (!values.empty()) fail(quoted(word) + " is there twice");
+      if (!values.empty()) fail(in_quotes(word) + " is there twice");
       for (auto token = next_token(line); !token.empty(); token = next_token(line))
         values.emplace_back(token);
-      if (values.empty()) fail(quoted(word) + " says nothing");
+      if (values.empty()) fail(in_quotes(word) + " says nothing");
       if (word == "DATA") break;
     }
     read_fields();
@@ -49,7 +49,7 @@ class PcdHeaderReader {
 
   std::int64_t number(const std::string& text) {
     std::int64_t value = 0;
-    if (!parse_integer(text, value) || value < 0) fail(quoted(text) + " is not a count");
+    if (!parse_integer(text, value) || value < 0) fail(in_quotes(text) + " is not a count");
     return value;
   }
 
@@ -64,7 +64,7 @@ class PcdHeaderReader {
       if (size == 4) return is_signed ? kInt32 : kUint32;
       if (size == 8) return is_signed ? kInt64 : kUint64;
     }
-    fail("no number has TYPE " + quoted(letter) + " and SIZE " + std::to_string(size));
+    fail("no number has TYPE " + in_quotes(letter) + " and SIZE " + std::to_string(size));
   }
 
   void read_fields() {
@@ -106,7 +106,7 @@ class PcdHeaderReader {
     if (pose.size() != 7) fail("VIEWPOINT has " + std::to_string(pose.size()) + " numbers, not 7");
     Eigen::Vector3d at;
     for (int i = 0; i < 3; ++i) {
-      if (!parse_double(pose[i], at[i])) fail(quoted(pose[i]) + " is not a number");
+      if (!parse_double(pose[i], at[i])) fail(in_quotes(pose[i]) + " is not a number");
     }
     if (at.allFinite()) header_.viewpoint = at;
   }
@@ -120,7 +120,7 @@ class PcdHeaderReader {
     } else if (encoding == "binary_compressed") {
       header_.encoding = PcdHeader::Encoding::kCompressed;
     } else {
-      fail("DATA is " + quoted(encoding) + ", not ascii, binary or binary_compressed");
+      fail("DATA is " + in_quotes(encoding) + ", not ascii, binary or binary_compressed");
     }
   }
 

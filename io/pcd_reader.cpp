@@ -93,7 +93,7 @@ class PcdReader final : public ScanReader {
     for (; !token.empty(); token = next_token(line), ++column) {
       double value = 0;
       if (!parse_double(token, value))
-        throw InputError(source_->here_line(), quoted(token) + " is not a number");
+        throw InputError(source_->here_line(), in_quotes(token) + " is not a number");
       if (place != places_.end() && place->column == column) row_[(place++)->role] = value;
     }
     if (column != width_) {

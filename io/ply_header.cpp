@@ -40,9 +40,9 @@ class HeaderReader {
       } else if (word == "property") {
         read_property();
       } else {
-        fail(quoted(word) + " is no word of a PLY header");
+        fail(in_quotes(word) + " is no word of a PLY header");
       }
-      if (const auto more = next_token(rest_); !more.empty()) fail(quoted(more) + " is not expected here");
+      if (const auto more = next_token(rest_); !more.empty()) fail(in_quotes(more) + " is not expected here");
     }
     if (!has_format) fail("the header has no 'format' line");
     for (PlyElement& element : header_.elements) element.fixed_size = fixed_size(element);
@@ -67,7 +67,7 @@ class HeaderReader {
     } else if (encoding == "binary_big_endian") {
       header_.encoding = PlyHeader::Encoding::kBigEndian;
     } else {
-      fail("the encoding " + quoted(encoding) +
+      fail("the encoding " + in_quotes(encoding) +
            " is not one of ascii, binary_little_endian, binary_big_endian");
     }
     if (next_token(rest_) != "1.0") fail("only version 1.0 of the PLY format is known");
@@ -78,7 +78,7 @@ class HeaderReader {
     PlyElement& element = header_.elements.emplace_back();
     element.name = next_token(rest_);
     const std::string_view count = next_token(rest_);
-    if (!parse_integer(count, element.count) || element.count < 0) fail(quoted(count) + " is not a count");
+    if (!parse_integer(count, element.count) || element.count < 0) fail(in_quotes(count) + " is not a count");
   }
 
   NumberType read_type() {
@@ -104,7 +104,7 @@ class HeaderReader {
     for (const auto& [known, type] : kNames) {
       if (known == name) return type;
     }
-    fail(quoted(name) + " is no type of a PLY property");
+    fail(in_quotes(name) + " is no type of a PLY property");
   }
 
   void read_property() {
@@ -123,7 +123,7 @@ class HeaderReader {
     property.name = next_token(rest_);
     if (property.name.empty()) fail("a property without a name");
     for (const PlyProperty& other : element.properties) {
-      if (other.name == property.name) fail("two properties are called " + quoted(property.name));
+      if (other.name == property.name) fail("two properties are called " + in_quotes(property.name));
     }
     element.properties.push_back(std::move(property));
   }

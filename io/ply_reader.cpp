@@ -106,7 +106,7 @@ class PlyReader final : public ScanReader {
     const auto number = [&](std::string_view text) {
       double value = 0;
       if (text.empty()) fail_short();
-      if (!parse_double(text, value)) throw InputError(here(), quoted(text) + " is not a number");
+      if (!parse_double(text, value)) throw InputError(here(), in_quotes(text) + " is not a number");
       return value;
     };
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -120,11 +120,11 @@ class PlyReader final : public ScanReader {
       std::int64_t count = 0;
       if (token.empty()) fail_short();
       if (!parse_integer(token, count) || count < 0)
-        throw InputError(here(), quoted(token) + " is not a length");
+        throw InputError(here(), in_quotes(token) + " is not a length");
       for (; count > 0; --count) number(next_token(line));
     }
     if (const auto more = next_token(line); !more.empty()) {
-      throw InputError(here(), quoted(more) + " after the numbers the header announces for a line");
+      throw InputError(here(), in_quotes(more) + " after the numbers the header announces for a line");
     }
     return true;
   }

@@ -56,7 +56,7 @@ std::unique_ptr<ScanReader> open_scan(const std::string& path, const ScanOptions
   if (format == "mesh") refuse_mesh(*source, source->name(), "is a mesh");
   if (!options.format.empty()) {
     throw InputError(source->name(),
-                     "the format " + quoted(format) + " is not known; give ply, pcd, xyz or pwn");
+                     "the format " + in_quotes(format) + " is not known; give ply, pcd, xyz or pwn");
   }
   throw InputError(source->name(), "begins like no known scan; known are PLY, PCD, XYZ and PWN");
 }

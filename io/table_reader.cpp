@@ -80,7 +80,8 @@ class TableReader final : public ScanReader {
       if (parse_integer(tokens[0], promised_) && promised_ >= 0) return false;
     }
     if (tokens.size() < 3 || tokens.size() > kMaxColumns) {
-      throw InputError(source_->here_line(), "expected 'x y z' or 'x y z nx ny nz', found " + quoted(line));
+      throw InputError(source_->here_line(),
+                       "expected 'x y z' or 'x y z nx ny nz', found " + in_quotes(line));
     }
     width_ = tokens.size();
     if (names_.size() != width_) {
@@ -103,12 +104,12 @@ class TableReader final : public ScanReader {
                                                    (source_->at_end() ? " (truncated?)" : ""));
       }
       if (!parse_double(token, value))
-        throw InputError(source_->here_line(), quoted(token) + " is not a number");
+        throw InputError(source_->here_line(), in_quotes(token) + " is not a number");
       if (roles_[i] != ScanColumns::kRoles) row_[roles_[i]] = value;
     }
     if (const auto token = next_token(line, true); !token.empty()) {
       throw InputError(source_->here_line(),
-                       quoted(token) + " after the " + std::to_string(width_) + " numbers of a line");
+                       in_quotes(token) + " after the " + std::to_string(width_) + " numbers of a line");
     }
   }
 

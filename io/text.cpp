@@ -91,7 +91,7 @@ std::string_view next_token(std::string_view& rest, bool commas) {
   return token;
 }
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   std::string text = "'";
   for (const char c : token.substr(0, 30)) text += c >= ' ' && c <= '~' ? c : '?';
   return text + (token.size() > 30 ? "...'" : "'");

@@ -30,7 +30,7 @@ void append(std::string& text, model::Int128 value);
 std::string_view next_token(std::string_view& rest, bool commas = false);
 
 /// `token` for a message: in quotes, unprintable bytes replaced, cut after 30 characters.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 
 /// The extension of `path` in lower case without its dot; empty when there is none.
 std::string extension_of(std::string_view path);
