@@ -19,9 +19,10 @@ namespace {
 struct MeshTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;
-  FaceAttributes(OpenMesh::Attributes::Color);
 };
-using Mesh = OpenMesh::PolyMesh_ArrayKernelT<MeshTraits>;
+struct Mesh : OpenMesh::PolyMesh_ArrayKernelT<MeshTraits> {
+  std::vector<Color> colors;  ///< by face; OpenMesh's own colours do not compile without warnings
+};
 
 /// OpenMesh tells the world about every face it refuses; refusing is expected here.
 class Hush {
@@ -53,8 +54,7 @@ Mesh build(const PolygonMesh& faces) {
       for (auto& corner : corners) corner = mesh.add_vertex(mesh.point(corner));
       added = mesh.add_face(corners);
     }
-    const auto [red, green, blue] = segment_color(face.segment);
-    mesh.set_color(added, {red, green, blue});
+    mesh.colors.push_back(segment_color(face.segment));
   }
   mesh.request_vertex_status();
   mesh.request_edge_status();
@@ -81,8 +81,8 @@ void append_face(std::string& text, const Mesh& mesh, Mesh::FaceHandle face, int
     append(text += ' ', static_cast<std::int64_t>(vertex.idx() + first));
 }
 
-void append_color(std::string& text, const Mesh::Color& color) {
-  for (int i = 0; i < 3; ++i) append(text += ' ', static_cast<std::int64_t>(color[i]));
+void append_color(std::string& text, const Color& color) {
+  for (const std::uint8_t channel : color) append(text += ' ', static_cast<std::int64_t>(channel));
 }
 
 /// The lines OFF and PLY have in common: a point a line, then count, vertices and colour of a face a line.
@@ -94,7 +94,7 @@ void append_body(std::string& text, const Mesh& mesh) {
   for (const auto face : mesh.faces()) {
     append_count(text, mesh.valence(face));
     append_face(text, mesh, face, 0);
-    append_color(text, mesh.color(face));
+    append_color(text, mesh.colors[face.idx()]);
     text += '\n';
   }
 }
@@ -131,15 +131,15 @@ ObjTexts obj_texts(const Mesh& mesh, const std::string& material_file) {
     append_point(texts.faces += "v ", mesh.point(vertex));
     texts.faces += '\n';
   }
-  std::map<std::array<int, 3>, std::string> known;
+  std::map<Color, std::string> known;
   std::string current;
   for (const auto face : mesh.faces()) {
-    const Mesh::Color color = mesh.color(face);
-    std::string& name = known[{color[0], color[1], color[2]}];
+    const Color color = mesh.colors[face.idx()];
+    std::string& name = known[color];
     if (name.empty()) {
       name = "color" + std::to_string(known.size());
       texts.materials += "newmtl " + name + "\nKd";
-      for (int i = 0; i < 3; ++i) append(texts.materials += ' ', color[i] / 255.0);
+      for (const std::uint8_t channel : color) append(texts.materials += ' ', channel / 255.0);
       texts.materials += "\nillum 1\n";
     }
     if (name != current) texts.faces += "usemtl " + (current = name) + "\n";
