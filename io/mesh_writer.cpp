@@ -21,7 +21,7 @@ struct MeshTraits : OpenMesh::DefaultTraits {
   using Normal = OpenMesh::Vec3d;
 };
 struct Mesh : OpenMesh::PolyMesh_ArrayKernelT<MeshTraits> {
-  std::vector<Color> colors;  ///< by face; OpenMesh's own colours do not compile without warnings
+  std::vector<io::Color> colors;  ///< by face; OpenMesh's own colours do not compile without warnings
 };
 
 /// OpenMesh tells the world about every face it refuses; refusing is expected here.
