@@ -6,7 +6,7 @@
 function(limpet_export_headers target folder)
   set(root ${CMAKE_BINARY_DIR}/include/${folder})
   file(MAKE_DIRECTORY ${root}/limpet)
-  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${folder} ${root}/limpet/${folder} SYMBOLIC)
+  file(CREATE_LINK ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../${folder} ${root}/limpet/${folder} SYMBOLIC)
   target_include_directories(${target} INTERFACE
     $<BUILD_INTERFACE:${root}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 endfunction()

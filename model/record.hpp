@@ -51,30 +51,31 @@ struct PolygonSegmentRecord {
   Eigen::Vector3d chart_u = Eigen::Vector3d::UnitX();
   Eigen::Vector3d chart_v = Eigen::Vector3d::UnitY();
   Eigen::Vector3d chart_normal = Eigen::Vector3d::UnitZ();
-  /// Published plane as a height over the chart, in grid steps: h(x, y) = height[0] + height[1]·x + height[2]·y.
-  /// The world position of a vertex is chart_origin + step·(x·u + y·v + h(x, y)·normal).
+  /// Published plane as a height over the chart, in grid steps: h(x, y) = height[0] + height[1]·x +
+  /// height[2]·y. The world position of a vertex is chart_origin + step·(x·u + y·v + h(x, y)·normal).
   std::array<double, 3> height{};
   Eigen::Vector3d initial_centroid = Eigen::Vector3d::Zero();
   Eigen::Vector3d initial_normal = Eigen::Vector3d::UnitZ();
-  /// Boundary cycles, interior on the left: the outer perimeter (anticlockwise) first, then the holes (clockwise).
+  /// Boundary cycles, interior on the left: the outer perimeter (anticlockwise) first, then the holes
+  /// (clockwise).
   std::vector<std::vector<VertexRecord>> cycles;
   std::vector<RawPointRecord> raw;
 };
 
 /// Everything a model is, as plain data: what the native file holds (docs/native_format.md).
 struct ModelRecord {
-  double resolution = 0;      ///< λ, scan's unit
-  double angle_rad = 0;       ///< μ
-  double noise = 0;           ///< standard deviation of a reading along its axis, scan's unit
-  double tolerance = 0;       ///< how far a surface may be from its plane, scan's unit; 0: by noise alone
-  double grid_step = 0;       ///< a power of two, scan's unit
-  std::string arithmetic;     ///< "exact", "float-grid" or "float"
-  std::string rules;          ///< names of the update rules in force, comma separated; "thesis": none
-  std::int64_t points = 0;    ///< sensor points accepted
-  std::int64_t refused = 0;   ///< records that were no point (not finite, zero axis, out of range)
-  std::int64_t expired = 0;   ///< outliers given up
-  std::int64_t sets = 0;      ///< sets of sensor points processed
-  std::uint64_t next_segment = 1, next_edge = 1;  ///< identities not yet used
+  double resolution = 0;     ///< λ, scan's unit
+  double angle_rad = 0;      ///< μ
+  double noise = 0;          ///< standard deviation of a reading along its axis, scan's unit
+  double tolerance = 0;      ///< how far a surface may be from its plane, scan's unit; 0: by noise alone
+  double grid_step = 0;      ///< a power of two, scan's unit
+  std::string arithmetic;    ///< "exact", "float-grid" or "float"
+  std::string rules;         ///< names of the update rules in force, comma separated; "thesis": none
+  std::int64_t points = 0;   ///< sensor points accepted
+  std::int64_t refused = 0;  ///< records that were no point (not finite, zero axis, out of range)
+  std::int64_t expired = 0;  ///< outliers given up
+  std::int64_t sets = 0;     ///< sets of sensor points processed
+  std::uint64_t next_segment = 1, next_edge = 1;       ///< identities not yet used
   std::vector<PointSegmentRecord> point_segments;      ///< ascending id
   std::vector<PolygonSegmentRecord> polygon_segments;  ///< ascending id
 };

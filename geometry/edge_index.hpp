@@ -1,0 +1,91 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <limpet/geometry/types.hpp>
+
+namespace limpet::geometry {
+
+/// A directed boundary edge, by its ends.
+using Segment2 = std::pair<Point2, Point2>;
+
+/// Is p inside the closed chains made of these edges, by the even-odd rule? p must not lie on one of them.
+bool inside_even_odd(std::span<const Segment2> edges, Point2 p);
+
+/// Finds the edges near a place, and on which side of the boundary it lies, without looking at the rest of
+/// the boundary.
+///
+/// A uniform grid of cells over the polygon's box lists the edges that touch each cell. Each cell has a
+/// reference point, and knows whether that is inside: a point's side then follows from the edges of its own
+/// cell. An edit flips the reference points it sweeps over. Small polygons (fewer than kMinimum edges) are
+/// not indexed: there the index names all slots.
+///
+/// Reference points have a half and a 2^-27 as fractions: no edge between grid points below 2^26 steps passes
+/// through one, because dx/2 - dy/2^27 is whole only for dx = dy = 0.
+class EdgeIndex {
+ public:
+  static constexpr std::size_t kMinimum = 24;
+
+  bool active() const { return !cells_.empty(); }
+  /// Can it hold edges in this box, at this number of edges, without being built anew?
+  bool fits(const Box2& box, std::size_t edges) const;
+
+  /// Starts anew for a boundary of `edges` edges in `box`; all edges are then added by add().
+  void reset(const Box2& box, std::size_t edges);
+  void clear() { cells_.clear(); }
+  void add(std::uint32_t slot, Point2 a, Point2 b);
+  void remove(std::uint32_t slot, Point2 a, Point2 b);
+
+  /// Flips the side of every reference point inside the swept region (even-odd).
+  void flip(std::span<const Segment2> sweep);
+
+  /// The edges of p's cell, its reference point and whether that is inside. Precondition: active, p in the
+  /// box.
+  struct Cell {
+    std::vector<std::uint32_t> edges;
+    bool inside = false;
+  };
+  const Cell& cell_at(Point2 p) const { return cells_[index(column(p.x), row(p.y))]; }
+  Point2 reference_at(Point2 p) const { return reference(column(p.x), row(p.y)); }
+  bool covers(Point2 p) const { return box_.contains(p); }
+
+  template <class F>
+  bool any_near(const Box2& box, std::size_t slots, F&& f) const {
+    if (!active()) {
+      for (std::uint32_t i = 0; i < slots; ++i)
+        if (f(i)) return true;
+      return false;
+    }
+    if (!box.meets(box_)) return false;
+    const int i0 = column(box.low.x), i1 = column(box.high.x), j0 = row(box.low.y), j1 = row(box.high.y);
+    for (int j = j0; j <= j1; ++j)
+      for (int i = i0; i <= i1; ++i)
+        for (const std::uint32_t slot : cells_[index(i, j)].edges)
+          if (f(slot)) return true;
+    return false;
+  }
+
+ private:
+  int clamped(double t, int n) const { return t <= 0 ? 0 : t >= n - 1 ? n - 1 : static_cast<int>(t); }
+  int column(double x) const { return clamped((x - box_.low.x) / size_, columns_); }
+  int row(double y) const { return clamped((y - box_.low.y) / size_, rows_); }
+  std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * columns_ + i; }
+  Point2 reference(int i, int j) const;
+  /// How many of the references i0..i1 of row j lie left of the upward edge ab, which crosses the row.
+  int references_left_of(Point2 a, Point2 b, int j, int i0, int i1) const;
+  template <class F>
+  void for_cells_on(Point2 a, Point2 b, F&& f);
+
+  Box2 box_;
+  double size_ = 1;
+  int columns_ = 0, rows_ = 0;
+  std::size_t built_for_ = 0;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace limpet::geometry

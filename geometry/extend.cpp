@@ -1,0 +1,121 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/geometry/extend.hpp>
+
+#include <array>
+#include <cmath>
+
+#include <limpet/geometry/predicates.hpp>
+#include <limpet/geometry/search.hpp>
+
+namespace limpet::geometry {
+namespace {
+
+constexpr std::size_t kMaxAttempts = 12;
+
+/// A possible end of the section: a vertex, or a point on the edge that leaves or reaches a vertex.
+struct SectionEnd {
+  Slot vertex = kNoSlot;      ///< where the kept perimeter ends (backward) or goes on (forward)
+  std::optional<Point2> cut;  ///< the end itself when it is not that vertex
+  double length = 0;          ///< along the perimeter from the nearest point
+  std::size_t steps = 0;      ///< vertices passed since the nearest edge
+};
+
+/// Where the line from `inner` (within gap of q) to `outer` (beyond) leaves the disc; nothing when that is an
+/// end of it.
+std::optional<Point2> leaving_point(Point2 inner, Point2 outer, Point2 q, double gap) {
+  const Point2 d = outer - inner, m = inner - q;
+  const double a = squared_length(d), b = dot(m, d), c = squared_length(m) - gap * gap;
+  const double root = std::sqrt(std::max(0.0, b * b - a * c));
+  const double t = a > 0 ? (root - b) / a : 0;
+  // Two steps inside, so that rounding does not carry it out of the disc.
+  const Point2 p = round_to_grid(inner + std::max(0.0, t - 2 / std::sqrt(a)) * d);
+  const double keep_off = 16;  // steps from both ends: no slivers
+  if (squared_length(p - inner) < keep_off || squared_length(p - outer) < keep_off) return std::nullopt;
+  return p;
+}
+
+class SectionSearch {
+ public:
+  SectionSearch(const Polygon& polygon, Point2 q, double gap, const PerimeterPoint& nearest)
+      : polygon_(polygon), q_(q), gap_(gap), nearest_(nearest) {}
+
+  std::vector<SectionEnd> ends(bool forward) const {
+    std::vector<SectionEnd> result;
+    const std::size_t limit = polygon_.cycle(polygon_.node(nearest_.edge).cycle).size;
+    Slot edge = nearest_.edge;
+    Point2 inner = nearest_.at;
+    double length = 0;
+    for (std::size_t steps = 0; steps < limit; ++steps) {
+      if (polygon_.node(edge).shared) break;
+      const Slot outer = forward ? polygon_.next(edge) : edge;
+      const Point2 at = polygon_.at(outer);
+      if (squared_length(at - q_) >= gap_ * gap_) {
+        if (const auto cut = leaving_point(inner, at, q_, gap_); cut && visible(*cut, kNoSlot, edge))
+          result.push_back({outer, cut, length + std::sqrt(squared_length(*cut - inner)), steps});
+        break;
+      }
+      length += std::sqrt(squared_length(at - inner));
+      if (visible(at, outer, kNoSlot)) result.push_back({outer, std::nullopt, length, steps});
+      inner = at;
+      edge = forward ? outer : polygon_.prev(outer);
+    }
+    return result;
+  }
+
+ private:
+  bool visible(Point2 p, Slot vertex, Slot own_edge) const {
+    return sights(polygon_, {p, vertex}, {q_, kNoSlot}, {own_edge});
+  }
+
+  const Polygon& polygon_;
+  Point2 q_;
+  double gap_;
+  const PerimeterPoint& nearest_;
+};
+
+Edit edit_for(const SectionEnd& p1, const SectionEnd& p2, Point2 q) {
+  Chain chain{p1.vertex, {}, p2.vertex};
+  if (p1.cut) chain.via.push_back({*p1.cut});
+  chain.via.push_back({q});
+  if (p2.cut) chain.via.push_back({*p2.cut});
+  Edit edit;
+  edit.chains.push_back(std::move(chain));
+  return edit;
+}
+
+}  // namespace
+
+Extension extend_to_point(Polygon& polygon, Point2 q, double gap, EdgeIds& ids) {
+  if (polygon.locate(q) != Polygon::Side::outside) return Extension::contained;
+  const auto nearest = nearest_perimeter_point(polygon, q, gap);
+  if (!nearest) return Extension::refused;
+  if (polygon.node(nearest->edge).shared) return Extension::shared;
+  const SectionSearch search(polygon, q, gap, *nearest);
+  const auto back = search.ends(false), forward = search.ends(true);
+  const std::size_t size = polygon.cycle(polygon.node(nearest->edge).cycle).size;
+
+  // Longest first; the two ends may not pass each other on the far side of a small perimeter.
+  struct Pair {
+    double length;
+    std::size_t i, j;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < back.size(); ++i)
+    for (std::size_t j = 0; j < forward.size(); ++j) {
+      const std::size_t passed = back[i].steps + forward[j].steps;
+      // With both ends cut, the edge between the two kept vertices must itself be kept.
+      if (passed + 2 > size || (passed + 2 == size && (back[i].cut || forward[j].cut) && size < 4)) continue;
+      pairs.push_back({back[i].length + forward[j].length, i, j});
+    }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.length > b.length; });
+  for (std::size_t k = 0; k < std::min(pairs.size(), kMaxAttempts); ++k) {
+    const Edit edit = edit_for(back[pairs[k].i], forward[pairs[k].j], q);
+    if (polygon.judge(edit) != Verdict::valid) continue;
+    polygon.commit(edit, ids);
+    return Extension::extended;
+  }
+  return Extension::refused;
+}
+
+}  // namespace limpet::geometry

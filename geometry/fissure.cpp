@@ -1,0 +1,203 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/geometry/fissure.hpp>
+
+#include <array>
+#include <deque>
+
+#include <limpet/geometry/bridge.hpp>
+#include <limpet/geometry/predicates.hpp>
+#include <limpet/geometry/search.hpp>
+
+#include "fissure_internal.hpp"
+
+namespace limpet::geometry {
+namespace internal {
+namespace {
+
+bool within(Point2 a, Point2 b, double gap) { return squared_length(a - b) < gap * gap; }
+
+/// The foot of p on the inside of edge ab, if p is within gap of it there.
+std::optional<Point2> foot_on(Point2 a, Point2 b, Point2 p, double gap) {
+  const Point2 foot = round_to_grid(a + nearest_fraction(a, b, p) * (b - a));
+  if (foot == a || foot == b || foot == p || !within(foot, p, gap)) return std::nullopt;
+  return foot;
+}
+
+/// Types I to III for the vertices a, b, c; `first` and `last` name them among the four.
+std::optional<Filling> three(FissureType type, Point2 a, Point2 b, Point2 c, double gap, std::size_t last) {
+  if (orientation(a, b, c) >= 0) return std::nullopt;  // the outside is on the right: a notch turns right
+  if (type == FissureType::I) {
+    if (!within(a, c, gap)) return std::nullopt;
+    return Filling{type, 0, last, std::nullopt};
+  }
+  if (dot(a - b, c - b) <= 0) return std::nullopt;
+  const auto foot = type == FissureType::II ? foot_on(b, c, a, gap) : foot_on(a, b, c, gap);
+  if (!foot) return std::nullopt;
+  return Filling{type, 0, last, foot};
+}
+
+}  // namespace
+
+std::optional<Filling> find_fissure(FissureType type, const std::array<Point2, 4>& v, double gap) {
+  switch (type) {
+    case FissureType::I:
+    case FissureType::II:
+    case FissureType::III:
+      return three(type, v[0], v[1], v[2], gap, 2);
+    case FissureType::IV: {
+      if (!within(v[1], v[2], gap) || !within(v[0], v[3], gap)) return std::nullopt;
+      // The external angle between v1v2 and v3v4 is below 180° when the two turns together go right.
+      const double area = cross(v[1] - v[0], v[2] - v[0]) + cross(v[2] - v[0], v[3] - v[0]);
+      if (area >= 0) return std::nullopt;
+      return Filling{type, 0, 3, std::nullopt};
+    }
+    case FissureType::V: {
+      if (!within(v[1], v[2], gap)) return std::nullopt;
+      auto filling = three(FissureType::II, v[0], v[2], v[3], gap, 3);
+      if (filling) filling->type = type;
+      return filling;
+    }
+    case FissureType::VI: {
+      if (!within(v[1], v[2], gap)) return std::nullopt;
+      auto filling = three(FissureType::III, v[0], v[1], v[3], gap, 3);
+      if (filling) filling->type = type;
+      return filling;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace internal
+
+namespace {
+
+using internal::Filling;
+using internal::FissureType;
+
+bool needs_four(FissureType t) { return t == FissureType::IV || t == FissureType::V || t == FissureType::VI; }
+
+class Filler {
+ public:
+  Filler(Polygon& polygon, double gap, EdgeIds& ids) : polygon_(polygon), gap_(gap), ids_(ids) {}
+
+  std::size_t run(std::span<const std::pair<Slot, EdgeId>> fresh) {
+    for (const auto& [slot, edge] : fresh) queue_.emplace_back(slot, edge);
+    // Every filling adds area and takes perimeter away, so it ends; the bound is for the float builds.
+    std::size_t budget = 1000 + 40 * queue_.size();
+    while (!queue_.empty() && budget-- > 0) {
+      const auto [slot, edge] = queue_.front();
+      queue_.pop_front();
+      if (!current(slot, edge)) continue;
+      Slot v1 = polygon_.prev(polygon_.prev(slot));
+      bool filled = false;
+      for (int k = 0; k < 3 && !filled; ++k, v1 = polygon_.next(v1)) filled = fill_at(v1);
+      if (!filled && current(slot, edge)) filled = bridge_at(slot);
+      if (filled && current(slot, edge)) queue_.emplace_back(slot, edge);
+      count_ += filled;
+    }
+    return count_;
+  }
+
+ private:
+  bool current(Slot slot, EdgeId edge) const {
+    return polygon_.alive(slot) && polygon_.node(slot).edge == edge;
+  }
+
+  bool fill_at(Slot v1) {
+    const std::array<Slot, 4> s = {v1, polygon_.next(v1), polygon_.next(polygon_.next(v1)),
+                                   polygon_.next(polygon_.next(polygon_.next(v1)))};
+    if (polygon_.node(s[0]).shared || polygon_.node(s[1]).shared) return false;
+    const auto& cycle = polygon_.cycle(polygon_.node(v1).cycle);
+    const bool four = cycle.size >= 4 && !polygon_.node(s[2]).shared;
+    std::array<Point2, 4> v;
+    for (std::size_t i = 0; i < 4; ++i) v[i] = polygon_.at(s[i]);
+    for (const FissureType type : internal::kFissureOrder) {
+      if (needs_four(type) && !four) continue;
+      if (const auto filling = internal::find_fissure(type, v, gap_); filling && fill(s, *filling, cycle))
+        return true;
+    }
+    return false;
+  }
+
+  bool fill(const std::array<Slot, 4>& s, const Filling& filling, const Polygon::Cycle& cycle) {
+    const std::size_t left = cycle.size - (filling.last - 1) + (filling.foot ? 1 : 0);
+    Edit edit;
+    if (left < 3 || s[filling.first] == s[filling.last]) {
+      if (!cycle.hole || any_shared(cycle)) return false;
+      edit.removed_cycles.push_back(polygon_.node(s[0]).cycle);  // collapsed
+    } else {
+      Chain chain{s[filling.first], {}, s[filling.last]};
+      if (filling.foot) chain.via.push_back({*filling.foot});
+      edit.chains.push_back(std::move(chain));
+    }
+    return commit(edit);
+  }
+
+  bool any_shared(const Polygon::Cycle& cycle) const {
+    const auto vertices = polygon_.vertices(cycle);
+    return std::any_of(vertices.begin(), vertices.end(), [](const NewVertex& v) { return v.shared; });
+  }
+
+  bool bridge_at(Slot slot) {
+    const std::size_t before = polygon_.version();
+    if (!bridge_self(polygon_, slot, gap_, ids_)) return false;
+    enqueue_created();
+    return polygon_.version() != before;
+  }
+
+  bool commit(const Edit& edit) {
+    if (polygon_.judge(edit) != Verdict::valid) return false;
+    polygon_.commit(edit, ids_);
+    enqueue_created();
+    return true;
+  }
+
+  void enqueue_created() {
+    for (const auto& created : polygon_.take_created()) queue_.push_back(created);
+  }
+
+  Polygon& polygon_;
+  double gap_;
+  EdgeIds& ids_;
+  std::deque<std::pair<Slot, EdgeId>> queue_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+std::size_t fill_fissures(Polygon& polygon, std::span<const std::pair<Slot, EdgeId>> fresh, double gap,
+                          EdgeIds& ids) {
+  return Filler(polygon, gap, ids).run(fresh);
+}
+
+bool collapses(std::vector<Point2> chain, double gap) {
+  std::size_t idle = 0;
+  std::size_t budget = 64 * chain.size() + 64;
+  for (std::size_t i = 0; chain.size() >= 3 && idle < chain.size() && budget-- > 0;) {
+    const std::size_t n = chain.size();
+    std::array<Point2, 4> v;
+    for (std::size_t k = 0; k < 4; ++k) v[k] = chain[(i + k) % n];
+    bool filled = false;
+    for (const FissureType type : internal::kFissureOrder) {
+      if (needs_four(type) && n < 4) continue;
+      const auto filling = internal::find_fissure(type, v, gap);
+      if (!filling) continue;
+      std::vector<Point2> rest;  // from `last` all the way round to `first`, then the foot
+      for (std::size_t k = filling->last; k <= n; ++k) rest.push_back(chain[(i + k) % n]);
+      if (filling->foot) rest.push_back(*filling->foot);
+      chain = std::move(rest);
+      i = chain.size() >= 3 ? chain.size() - 3 : 0;
+      filled = true;
+      break;
+    }
+    if (filled) {
+      idle = 0;
+      continue;
+    }
+    ++idle;
+    i = (i + 1) % n;
+  }
+  return chain.size() < 3;
+}
+
+}  // namespace limpet::geometry

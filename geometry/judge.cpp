@@ -1,0 +1,108 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/geometry/judge.hpp>
+
+#include <limpet/geometry/predicates.hpp>
+
+namespace limpet::geometry {
+namespace {
+
+std::vector<Point2> points_of(const std::vector<NewVertex>& cycle) {
+  std::vector<Point2> points;
+  points.reserve(cycle.size());
+  for (const NewVertex& v : cycle) points.push_back(v.at);
+  return points;
+}
+
+bool inside_cycle(const std::vector<NewVertex>& cycle, Point2 p) {
+  std::vector<Segment2> edges;
+  edges.reserve(cycle.size());
+  for (std::size_t i = 0; i < cycle.size(); ++i)
+    edges.emplace_back(cycle[i].at, cycle[(i + 1) % cycle.size()].at);
+  return inside_even_odd(edges, p);
+}
+
+/// Cycles are disjoint here, so one vertex of each tells where all of it lies.
+bool nested_rightly(std::span<const std::vector<NewVertex>> cycles) {
+  std::vector<Box2> boxes(cycles.size());
+  for (std::size_t i = 0; i < cycles.size(); ++i)
+    for (const NewVertex& v : cycles[i]) boxes[i].add(v.at);
+  for (std::size_t i = 1; i < cycles.size(); ++i)
+    for (std::size_t j = 0; j < cycles.size(); ++j) {
+      if (i == j) continue;
+      const Point2 p = cycles[i].front().at;
+      const bool inside = boxes[j].contains(p) && inside_cycle(cycles[j], p);
+      if (inside != (j == 0)) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+const char* to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::valid:
+      return "valid";
+    case Verdict::degenerate_edge:
+      return "degenerate edge";
+    case Verdict::crossing:
+      return "crossing";
+    case Verdict::swept_vertex:
+      return "swept vertex";
+    case Verdict::orientation:
+      return "orientation";
+    case Verdict::too_few_vertices:
+      return "too few vertices";
+  }
+  return "?";
+}
+
+bool in_conflict(const KeyedEdge& e, const KeyedEdge& f) {
+  const bool aa = e.key_a == f.key_a, ab = e.key_a == f.key_b, ba = e.key_b == f.key_a,
+             bb = e.key_b == f.key_b;
+  if (!(aa || ab || ba || bb)) return segments_meet(e.a, e.b, f.a, f.b);
+  return (aa && edges_overlap(e.a, e.b, f.b)) || (ab && edges_overlap(e.a, e.b, f.a)) ||
+         (ba && edges_overlap(e.b, e.a, f.b)) || (bb && edges_overlap(e.b, e.a, f.a));
+}
+
+Verdict judge_edges(std::span<const KeyedEdge> edges) {
+  for (const KeyedEdge& e : edges)
+    if (e.a == e.b) return Verdict::degenerate_edge;
+  std::vector<std::uint32_t> order(edges.size());
+  std::vector<Box2> boxes(edges.size());
+  for (std::uint32_t i = 0; i < edges.size(); ++i) order[i] = i, boxes[i] = box_of(edges[i].a, edges[i].b);
+  std::sort(order.begin(), order.end(), [&](auto i, auto j) {
+    return boxes[i].low.x != boxes[j].low.x ? boxes[i].low.x < boxes[j].low.x : i < j;
+  });
+  std::vector<std::uint32_t> open;
+  for (const std::uint32_t i : order) {
+    std::erase_if(open, [&](std::uint32_t j) { return boxes[j].high.x < boxes[i].low.x; });
+    for (const std::uint32_t j : open)
+      if (boxes[i].meets(boxes[j]) && in_conflict(edges[i], edges[j])) return Verdict::crossing;
+    open.push_back(i);
+  }
+  return Verdict::valid;
+}
+
+Verdict judge_cycles(std::span<const std::vector<NewVertex>> cycles) {
+  if (cycles.empty()) return Verdict::too_few_vertices;
+  std::vector<KeyedEdge> edges;
+  for (const auto& cycle : cycles) {
+    if (cycle.size() < 3) return Verdict::too_few_vertices;
+    const std::uint64_t base = edges.size();
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const std::size_t j = (i + 1) % cycle.size();
+      edges.push_back({cycle[i].at, cycle[j].at, base + i, base + j});
+    }
+  }
+  if (const Verdict v = judge_edges(edges); v != Verdict::valid) return v;
+  for (std::size_t i = 0; i < cycles.size(); ++i)
+    if (chain_orientation(points_of(cycles[i])) != (i == 0 ? 1 : -1)) return Verdict::orientation;
+  return nested_rightly(cycles) ? Verdict::valid : Verdict::orientation;
+}
+
+Verdict judge_polygon(const Polygon& polygon) {
+  const auto cycles = polygon.boundary();
+  return judge_cycles(cycles);
+}
+
+}  // namespace limpet::geometry

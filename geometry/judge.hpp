@@ -1,0 +1,32 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <limpet/geometry/polygon.hpp>
+
+namespace limpet::geometry {
+
+/// An edge of a candidate with keys for its end vertices: edges that share a vertex share its key.
+struct KeyedEdge {
+  Point2 a, b;
+  std::uint64_t key_a = 0, key_b = 0;
+};
+
+/// Do two edges break simplicity? They may meet in a common vertex (equal keys) and nowhere else.
+bool in_conflict(const KeyedEdge&, const KeyedEdge&);
+
+/// Judges edges against each other: lengths and conflicts, by a sweep over their boxes.
+Verdict judge_edges(std::span<const KeyedEdge>);
+
+/// Judges whole cycles, outer first: each simple with three vertices or more, the first anticlockwise and the
+/// others clockwise, all disjoint, holes inside the outer one and outside each other. O(n log n) for
+/// boundaries without long thin overlaps of boxes.
+Verdict judge_cycles(std::span<const std::vector<NewVertex>> cycles);
+
+/// The whole polygon judged from scratch: what judge(Edit) keeps by induction.
+Verdict judge_polygon(const Polygon&);
+
+}  // namespace limpet::geometry

@@ -1,0 +1,49 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/geometry/merge.hpp>
+
+#include <limpet/geometry/bridge.hpp>
+#include <limpet/geometry/predicates.hpp>
+#include <limpet/geometry/unite.hpp>
+
+namespace limpet::geometry {
+namespace {
+
+bool perimeters_meet(const Polygon& a, const Polygon& b) {
+  for (std::uint32_t i = 0; i < b.slot_count(); ++i) {
+    const Slot s{i};
+    if (!b.alive(s)) continue;
+    const Point2 p = b.at(s), q = b.end(s);
+    if (a.any_edge_near(box_of(p, q), [&](Slot t) { return segments_meet(p, q, a.at(t), a.end(t)); }))
+      return true;
+  }
+  return false;
+}
+
+bool any_vertex_inside(const Polygon& vertices_of, const Polygon& polygon) {
+  for (const auto& c : vertices_of.cycles())  // disjoint perimeters: one vertex speaks for its cycle
+    if (c.size > 0 && polygon.locate(vertices_of.at(c.first)) == Polygon::Side::inside) return true;
+  return false;
+}
+
+bool no_edge_in(const Polygon& polygon, const Box2& box) {
+  return !polygon.any_edge_near(box, [](Slot) { return true; });
+}
+
+}  // namespace
+
+Merger merge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
+  if (!a.box().grown(gap).meets(b.box())) return Merger::too_far;
+  if (no_edge_in(a, b.box())) {
+    if (a.locate(b.at(b.cycles().front().first)) == Polygon::Side::inside) return Merger::contained;
+  } else if (perimeters_meet(a, b) || any_vertex_inside(b, a) || any_vertex_inside(a, b)) {
+    return unite(a, b, gap, ids) ? Merger::united : Merger::refused;
+  }
+  // Disjoint. Is anything near at all?
+  bool near = false;
+  for (std::uint32_t i = 0; i < b.slot_count() && !near; ++i)
+    near = b.alive(Slot{i}) && !no_edge_in(a, box_of(b.at(Slot{i}), b.end(Slot{i})).grown(gap));
+  if (!near) return Merger::too_far;
+  return bridge_polygons(a, b, gap, ids) ? Merger::bridged : Merger::refused;
+}
+
+}  // namespace limpet::geometry

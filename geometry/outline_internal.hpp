@@ -1,0 +1,43 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <vector>
+
+#include <limpet/geometry/polygon.hpp>
+
+namespace limpet::geometry::internal {
+
+/// A boundary edge given to the arrangement.
+struct SourceEdge {
+  Point2 a, b;
+  Slot slot = kNoSlot;  ///< in its polygon
+};
+
+/// A piece of the union's boundary: from `at` (rounded) along one source edge.
+struct OutlinePiece {
+  Point2 at;
+  Slot vertex = kNoSlot;  ///< the vertex of polygon a that starts here, if it is one (not rounded then)
+  Slot edge_a = kNoSlot;  ///< runs along this edge of a
+  Slot edge_b = kNoSlot;  ///< runs along this edge of b
+};
+
+/// A closed outline, or (open) one that begins and ends at vertices of a whose further edges lie outside the
+/// window.
+struct Outline {
+  std::vector<OutlinePiece> pieces;
+  Slot end = kNoSlot;  ///< open outlines: the vertex of a after the last piece
+};
+
+/// The outlines of a ∪ b within the window around b, interior on the left. `edges_a` are all edges of a that
+/// meet the window; `corner_sides` tells where its corners lie (+1 inside a, -1 outside, 0 on the boundary).
+/// Collinear pieces of one source edge are joined again. Exact in the exact build. False when no corner has a
+/// side.
+bool union_outlines(const std::vector<SourceEdge>& edges_a, const std::vector<SourceEdge>& edges_b,
+                    const Box2& window, const std::vector<int>& corner_sides, std::vector<Outline>& outlines);
+
+/// The four corners of a window, in the order of `corner_sides`.
+inline std::vector<Point2> corners(const Box2& w) {
+  return {w.low, {w.high.x, w.low.y}, w.high, {w.low.x, w.high.y}};
+}
+
+}  // namespace limpet::geometry::internal

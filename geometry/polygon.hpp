@@ -1,0 +1,145 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <limpet/geometry/edge_index.hpp>
+#include <limpet/geometry/types.hpp>
+
+namespace limpet::geometry {
+
+/// A vertex to be, with what is known of the edge that leaves it.
+struct NewVertex {
+  Point2 at;
+  EdgeId edge{};        ///< identity that survives; none: a new edge
+  bool shared = false;  ///< the edge is a shared edge
+};
+
+/// A stretch of new boundary: the edges from -> via[0] -> ... -> to replace what followed `from`.
+struct Chain {
+  Slot from = kNoSlot;
+  std::vector<NewVertex> via;
+  Slot to = kNoSlot;
+};
+
+/// A candidate change of a polygon's boundary. What lies anticlockwise behind each chain's `from`, up to the
+/// first `to` of any chain, is removed; whole cycles may be removed and new ones (loops) added. Judged by
+/// judge(), then committed whole or dropped.
+struct Edit {
+  std::vector<Chain> chains;
+  std::vector<std::vector<NewVertex>> loops;
+  std::vector<CycleId> removed_cycles;
+};
+
+/// Why the judge refused a candidate.
+enum class Verdict {
+  valid,
+  degenerate_edge,   ///< an edge without length
+  crossing,          ///< two edges meet other than consecutive ones at their common vertex
+  swept_vertex,      ///< the change would pass over a vertex that stays
+  orientation,       ///< a cycle would turn the wrong way round, or the outer one is not unique
+  too_few_vertices,  ///< a cycle with less than three vertices
+};
+const char* to_string(Verdict);
+
+/// A planar polygon: one outer perimeter (anticlockwise) and any number of hole perimeters (clockwise), so
+/// that the inside is always on the left of an edge.
+///
+/// Invariant (kept by every edit that judge() accepts): all cycles are simple in the strict sense, no two
+/// edges meet but consecutive ones at their common vertex; holes lie inside the outer perimeter and outside
+/// each other.
+class Polygon {
+ public:
+  enum class Side { outside, boundary, inside };
+
+  struct Node {
+    Point2 at;
+    Slot next = kNoSlot, prev = kNoSlot;
+    CycleId cycle{};
+    EdgeId edge{};  ///< none: the slot is free
+    bool shared = false;
+    mutable std::uint32_t mark = 0;  ///< scratch of the judge
+  };
+  struct Cycle {
+    Slot first = kNoSlot;
+    std::uint32_t size = 0;  ///< vertices; 0: the cycle is free
+    bool hole = false;
+  };
+
+  Polygon() = default;
+
+  /// The polygon with these cycles, outer first, or nothing when they are not valid (see the invariant).
+  static std::optional<Polygon> from_cycles(std::span<const std::vector<NewVertex>> cycles, EdgeIds& ids);
+
+  const Node& node(Slot s) const { return nodes_[static_cast<std::uint32_t>(s)]; }
+  Point2 at(Slot s) const { return node(s).at; }
+  Slot next(Slot s) const { return node(s).next; }
+  Slot prev(Slot s) const { return node(s).prev; }
+  Point2 end(Slot s) const { return at(next(s)); }
+  bool alive(Slot s) const { return static_cast<std::uint32_t>(s) < nodes_.size() && bool(node(s).edge); }
+  std::size_t slot_count() const { return nodes_.size(); }
+  std::size_t edge_count() const { return edge_count_; }
+  std::size_t hole_count() const;
+  const std::vector<Cycle>& cycles() const { return cycles_; }
+  const Cycle& cycle(CycleId c) const { return cycles_[static_cast<std::uint32_t>(c)]; }
+  const Box2& box() const { return box_; }
+
+  /// The vertices of a cycle in its direction, from its first.
+  std::vector<NewVertex> vertices(const Cycle&) const;
+  /// All cycles, outer first, then holes in storage order.
+  std::vector<std::vector<NewVertex>> boundary() const;
+
+  /// Where p lies. Exact in the exact build.
+  Side locate(Point2 p) const;
+
+  /// Calls f(Slot) for every edge whose box meets `box`; an edge may come more than once. f returns true to
+  /// stop.
+  template <class F>
+  bool any_edge_near(const Box2& box, F&& f) const {
+    return index_.any_near(box, nodes_.size(), [&](std::uint32_t i) {
+      const Node& n = nodes_[i];
+      return bool(n.edge) && box_of(n.at, at(n.next)).meets(box) && f(Slot{i});
+    });
+  }
+
+  /// Does the candidate keep the invariant? Decided on the rounded coordinates as they stand.
+  Verdict judge(const Edit&) const;
+
+  /// Makes the change. Precondition: judge(edit) == valid.
+  void commit(const Edit&, EdgeIds&);
+
+  /// Identities of edges removed, and slots of edges created, since last taken.
+  std::vector<EdgeId> take_removed();
+  std::vector<std::pair<Slot, EdgeId>> take_created();
+
+  /// Counts boundary changes.
+  std::uint64_t version() const { return version_; }
+
+ private:
+  Slot add_node(const NewVertex&, CycleId, EdgeIds&);
+  void free_node(Slot);
+  void relabel(Slot first, CycleId, bool hole);
+  CycleId add_cycle();
+  void rebuild_index();
+  /// What an edit takes away and puts in place, worked out once for the judge and once for the commit.
+  struct Difference;
+  Difference difference(const Edit&) const;
+  Verdict judge_new_edges(const Difference&) const;
+  Verdict judge_swept(const Edit&, const Difference&) const;
+  Verdict judge_orientation(const Edit&, const Difference&) const;
+
+  std::vector<Node> nodes_;
+  std::vector<Cycle> cycles_;
+  std::vector<std::uint32_t> free_;
+  std::size_t edge_count_ = 0;
+  Box2 box_;
+  EdgeIndex index_;
+  std::vector<EdgeId> removed_;
+  std::vector<std::pair<Slot, EdgeId>> created_;
+  std::uint64_t version_ = 0;
+  mutable std::uint32_t stamp_ = 0;
+};
+
+}  // namespace limpet::geometry

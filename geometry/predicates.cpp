@@ -1,0 +1,64 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/geometry/predicates.hpp>
+
+#include <cmath>
+
+#include "kernel_internal.hpp"
+
+namespace limpet::geometry {
+namespace {
+
+bool in_box(Point2 p, Point2 a, Point2 b) { return box_of(a, b).contains(p); }
+
+}  // namespace
+
+const char* arithmetic() {
+#if defined(LIMPET_ARITHMETIC_EXACT)
+  return "exact";
+#elif defined(LIMPET_ARITHMETIC_FLOAT_GRID)
+  return "float-grid";
+#else
+  return "float";
+#endif
+}
+
+Point2 round_to_grid(Point2 p) {
+#if defined(LIMPET_ARITHMETIC_FLOAT)
+  return p;
+#else
+  return {std::floor(p.x + 0.5), std::floor(p.y + 0.5)};
+#endif
+}
+
+int orientation(Point2 p, Point2 q, Point2 r) {
+  return CGAL::orientation(internal::to_kernel(p), internal::to_kernel(q), internal::to_kernel(r));
+}
+
+bool segments_meet(Point2 a, Point2 b, Point2 c, Point2 d) {
+  if (!box_of(a, b).meets(box_of(c, d))) return false;
+  const int abc = orientation(a, b, c), abd = orientation(a, b, d);
+  if (abc * abd > 0) return false;
+  const int cda = orientation(c, d, a), cdb = orientation(c, d, b);
+  if (cda * cdb > 0) return false;
+  if (abc != 0 || abd != 0 || cda != 0 || cdb != 0) return true;
+  return in_box(c, a, b) || in_box(d, a, b) || in_box(a, c, d);  // collinear
+}
+
+bool edges_overlap(Point2 apex, Point2 p, Point2 q) {
+  if (orientation(apex, p, q) != 0) return false;
+  if (p == apex || q == apex) return true;
+  // Collinear with the apex: the signs of the differences are exact, so no product is needed.
+  const auto same_sign = [](double s, double t) { return (s > 0 && t > 0) || (s < 0 && t < 0); };
+  return same_sign(p.x - apex.x, q.x - apex.x) || same_sign(p.y - apex.y, q.y - apex.y);
+}
+
+int chain_orientation(std::span<const Point2> chain) {
+  std::size_t lowest = 0;
+  for (std::size_t i = 1; i < chain.size(); ++i)
+    if (chain[i].x < chain[lowest].x || (chain[i].x == chain[lowest].x && chain[i].y < chain[lowest].y))
+      lowest = i;
+  const std::size_t n = chain.size();
+  return orientation(chain[(lowest + n - 1) % n], chain[lowest], chain[(lowest + 1) % n]);
+}
+
+}  // namespace limpet::geometry

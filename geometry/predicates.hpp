@@ -1,0 +1,35 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <span>
+
+#include <limpet/geometry/types.hpp>
+
+/// Every decision of geometry/ comes down to these. In the exact build they are exact for all finite doubles
+/// (CGAL's exact-predicates kernel). In the float builds they are plain double arithmetic; on grid points
+/// below 2^25 steps that is still exact, because every difference fits in 26 bits, every product in 52 and
+/// their difference in 53.
+namespace limpet::geometry {
+
+/// "exact", "float-grid" or "float": which of the three builds is linked in.
+const char* arithmetic();
+
+/// The grid point nearest to p (ties up); p itself in the float build.
+Point2 round_to_grid(Point2 p);
+
+/// +1 when p, q, r turn anticlockwise, -1 clockwise, 0 when collinear.
+/// Laws: orientation(p,q,r) = orientation(q,r,p) = -orientation(q,p,r); zero when two arguments are equal.
+int orientation(Point2 p, Point2 q, Point2 r);
+
+/// Do the closed segments ab and cd have a point in common? Symmetric in the segments and in their ends.
+bool segments_meet(Point2 a, Point2 b, Point2 c, Point2 d);
+
+/// Do two edges that leave the common point `apex` towards p and q overlap (point the same way)? Also true
+/// when p or q is the apex itself.
+bool edges_overlap(Point2 apex, Point2 p, Point2 q);
+
+/// +1 when the closed chain is anticlockwise, -1 when clockwise, 0 when it is degenerate at its lowest
+/// vertex. Precondition: simple and without repeated points (decided at its extreme vertex).
+int chain_orientation(std::span<const Point2> chain);
+
+}  // namespace limpet::geometry

@@ -1,0 +1,48 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/geometry/search.hpp>
+
+#include <limpet/geometry/judge.hpp>
+
+namespace limpet::geometry {
+
+double nearest_fraction(Point2 a, Point2 b, Point2 p) {
+  const double length2 = squared_length(b - a);
+  return length2 > 0 ? std::clamp(dot(p - a, b - a) / length2, 0.0, 1.0) : 0.0;
+}
+
+std::optional<PerimeterPoint> nearest_perimeter_point(const Polygon& polygon, Point2 p, double within,
+                                                      std::optional<CycleId> cycle) {
+  std::optional<PerimeterPoint> best;
+  const double limit = within * within;
+  polygon.any_edge_near(Box2{p, p}.grown(within), [&](Slot s) {
+    if (cycle && polygon.node(s).cycle != *cycle) return false;
+    const Point2 a = polygon.at(s), b = polygon.end(s);
+    const double t = nearest_fraction(a, b, p);
+    const Point2 at = a + t * (b - a);
+    const double d2 = squared_length(at - p);
+    if (d2 >= limit) return false;
+    if (best && (d2 > best->squared_distance ||
+                 (d2 == best->squared_distance && !(polygon.node(s).edge < polygon.node(best->edge).edge))))
+      return false;
+    best = PerimeterPoint{s, t, at, d2};
+    return false;
+  });
+  return best;
+}
+
+bool sights(const Polygon& polygon, SightEnd p, SightEnd q, std::initializer_list<Slot> ignored) {
+  if (p.at == q.at) return true;
+  const std::uint64_t none = std::uint64_t{1} << 40;  // keys beyond all slots
+  const auto key = [&](const SightEnd& e, std::uint64_t other) {
+    return e.vertex == kNoSlot ? other : static_cast<std::uint64_t>(e.vertex);
+  };
+  const KeyedEdge line{p.at, q.at, key(p, none), key(q, none + 1)};
+  return !polygon.any_edge_near(box_of(p.at, q.at), [&](Slot s) {
+    if (std::find(ignored.begin(), ignored.end(), s) != ignored.end()) return false;
+    const KeyedEdge edge{polygon.at(s), polygon.end(s), static_cast<std::uint64_t>(s),
+                         static_cast<std::uint64_t>(polygon.next(s))};
+    return in_conflict(line, edge);
+  });
+}
+
+}  // namespace limpet::geometry

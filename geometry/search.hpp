@@ -1,0 +1,37 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+
+#include <limpet/geometry/polygon.hpp>
+
+namespace limpet::geometry {
+
+/// The point of segment ab nearest to p, as a fraction of the way from a to b (0 to 1).
+double nearest_fraction(Point2 a, Point2 b, Point2 p);
+
+/// A perimeter point: on the edge that leaves `edge`, `fraction` of the way along it.
+struct PerimeterPoint {
+  Slot edge = kNoSlot;
+  double fraction = 0;
+  Point2 at;                    ///< not rounded
+  double squared_distance = 0;  ///< to what was searched from, in grid steps squared
+};
+
+/// The perimeter point nearest to p, if nearer than `within` (grid steps); ties go to the edge of lower
+/// identity. With `cycle`, on that cycle only.
+std::optional<PerimeterPoint> nearest_perimeter_point(const Polygon&, Point2 p, double within,
+                                                      std::optional<CycleId> cycle = {});
+
+/// An end of a line of sight: a point, and the vertex it is if it is one.
+struct SightEnd {
+  Point2 at;
+  Slot vertex = kNoSlot;
+};
+
+/// Can the two points sight each other: does the straight line between them meet no edge of the perimeters,
+/// but in an end that is a vertex (thesis §2.4.2)? Edges in `ignored` do not count. Symmetric in its ends.
+bool sights(const Polygon&, SightEnd, SightEnd, std::initializer_list<Slot> ignored = {});
+
+}  // namespace limpet::geometry

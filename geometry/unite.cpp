@@ -1,0 +1,188 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/geometry/unite.hpp>
+
+#include <array>
+#include <cmath>
+
+#include <limpet/geometry/fissure.hpp>
+#include <limpet/geometry/predicates.hpp>
+
+#include "outline_internal.hpp"
+
+namespace limpet::geometry {
+namespace {
+
+using internal::Outline;
+using internal::OutlinePiece;
+using internal::SourceEdge;
+
+/// Moves of b's vertices, in grid steps, tried in this order: 32 steps are λ/128.
+constexpr std::array kMoves = {0, 2, 6, 16, 32};
+
+/// A whole number from -reach to reach that depends on the vertex and the attempt alone.
+double move(std::uint64_t vertex, std::uint64_t attempt, int axis, int reach) {
+  std::uint64_t x =
+      vertex * 0x9e3779b97f4a7c15u + attempt * 0xbf58476d1ce4e5b9u + static_cast<std::uint64_t>(axis);
+  x ^= x >> 31, x *= 0x94d049bb133111ebu, x ^= x >> 29;
+  return static_cast<double>(static_cast<int>(x % static_cast<std::uint64_t>(2 * reach + 1)) - reach);
+}
+
+std::vector<SourceEdge> edges_of(const Polygon& b, std::size_t attempt) {
+  const int reach = kMoves[attempt];
+  const auto moved = [&](Slot s) {
+    const Point2 p = b.at(s);
+    const std::uint64_t v = b.node(s).edge.value;
+    return reach == 0 ? p : Point2{p.x + move(v, attempt, 0, reach), p.y + move(v, attempt, 1, reach)};
+  };
+  std::vector<SourceEdge> edges;
+  for (std::uint32_t i = 0; i < b.slot_count(); ++i) {
+    const Slot s{i};
+    if (b.alive(s)) edges.push_back({moved(s), moved(b.next(s)), s});
+  }
+  return edges;
+}
+
+bool near(Point2 p, Point2 q) { return squared_length(p - q) < 4; }
+
+/// Candidate boundary from an outline: kept edges of a stay; what lies between them becomes chains, an
+/// outline without any a loop.
+class Candidate {
+ public:
+  Candidate(const Polygon& a, const Polygon& b, double gap, bool moved)
+      : a_(a), b_(b), gap_(gap), moved_(moved) {}
+
+  void add(const Outline& outline) {
+    const auto& pieces = outline.pieces;
+    const std::size_t n = pieces.size();
+    const bool open = outline.end != kNoSlot;
+    const auto after = [&](std::size_t i) {
+      return open && i + 1 == n ? outline.end : pieces[(i + 1) % n].vertex;
+    };
+    std::vector<char> kept(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const OutlinePiece& p = pieces[i];
+      kept[i] = p.vertex != kNoSlot && p.edge_a == p.vertex && after(i) == a_.next(p.vertex);
+      if (kept[i]) kept_edges_.push_back(p.vertex);
+    }
+    std::size_t first = 0;
+    if (!open) {
+      while (first < n && !kept[first]) ++first;
+      if (first == n) return add_loop(pieces);
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      std::size_t i = (first + k) % n;
+      if (kept[i]) continue;
+      Chain chain{pieces[i].vertex, {}, kNoSlot};
+      for (++k; k < n && !kept[(first + k) % n]; ++k) chain.via.push_back(vertex_of(pieces, (first + k) % n));
+      chain.to = k < n ? pieces[(first + k) % n].vertex : open ? outline.end : pieces[first].vertex;
+      if (chain.from == kNoSlot || chain.to == kNoSlot)
+        broken_ = true;
+      else
+        edit_.chains.push_back(std::move(chain));
+    }
+  }
+
+  /// The edit, cleaned of vertices closer than two steps; nothing when an outline could not be tied to a's
+  /// vertices.
+  std::optional<Edit> finish(const std::vector<SourceEdge>& window_edges) {
+    if (broken_) return std::nullopt;
+    std::sort(kept_edges_.begin(), kept_edges_.end());
+    std::vector<CycleId> gone;
+    for (const SourceEdge& e : window_edges) {
+      const CycleId id = a_.node(e.slot).cycle;
+      const bool kept = std::binary_search(kept_edges_.begin(), kept_edges_.end(), e.slot);
+      if (!kept && std::find(gone.begin(), gone.end(), id) == gone.end()) gone.push_back(id);
+    }
+    for (Chain& c : edit_.chains) {
+      drop_near(c.via, a_.at(c.from), a_.at(c.to));
+      std::erase(gone, a_.node(c.from).cycle);
+    }
+    edit_.removed_cycles = std::move(gone);
+    return std::move(edit_);
+  }
+
+ private:
+  NewVertex vertex_of(const std::vector<OutlinePiece>& pieces, std::size_t i) const {
+    const OutlinePiece& p = pieces[i];
+    NewVertex v{p.at};
+    const OutlinePiece& q = pieces[(i + 1) % pieces.size()];
+    const bool whole = p.edge_b != kNoSlot && !moved_ && p.at == b_.at(p.edge_b) && q.at == b_.end(p.edge_b);
+    if (whole) v.edge = b_.node(p.edge_b).edge, v.shared = b_.node(p.edge_b).shared;
+    return v;
+  }
+
+  void add_loop(const std::vector<OutlinePiece>& pieces) {
+    std::vector<NewVertex> loop;
+    for (std::size_t i = 0; i < pieces.size(); ++i) loop.push_back(vertex_of(pieces, i));
+    if (loop.size() >= 2) drop_near(loop, loop.back().at, loop.front().at + Point2{1e9, 1e9});
+    std::vector<Point2> points;
+    for (const NewVertex& v : loop) points.push_back(v.at);
+    const bool hole = points.size() < 3 || chain_orientation(points) <= 0;
+    if (hole && collapses(points, gap_)) return;  // a hole narrower than the resolution is none
+    edit_.loops.push_back(std::move(loop));
+  }
+
+  static void drop_near(std::vector<NewVertex>& via, Point2 from, Point2 to) {
+    std::vector<NewVertex> result;
+    Point2 last = from;
+    for (const NewVertex& v : via) {
+      if (near(v.at, last) || near(v.at, to)) {
+        if (!result.empty()) result.back().edge = {}, result.back().shared = false;
+        continue;
+      }
+      result.push_back(v);
+      last = v.at;
+    }
+    via = std::move(result);
+  }
+
+  const Polygon &a_, &b_;
+  double gap_;
+  bool moved_;
+  Edit edit_;
+  std::vector<Slot> kept_edges_;
+  bool broken_ = false;
+};
+
+std::vector<SourceEdge> window_edges_of(const Polygon& a, const Box2& window) {
+  std::vector<Slot> slots;
+  a.any_edge_near(window, [&](Slot s) { return slots.push_back(s), false; });
+  std::sort(slots.begin(), slots.end());
+  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+  std::vector<SourceEdge> edges;
+  for (const Slot s : slots) edges.push_back({a.at(s), a.end(s), s});
+  return edges;
+}
+
+}  // namespace
+
+bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
+  for (std::size_t attempt = 0; attempt < kMoves.size(); ++attempt) {
+    const auto edges_b = edges_of(b, attempt);
+    Box2 box;
+    for (const SourceEdge& e : edges_b) box.add(e.a);
+    // Half steps off the grid: no vertex lies on the window's border.
+    const Box2 window{{std::floor(box.low.x) - 1.5, std::floor(box.low.y) - 1.5},
+                      {std::ceil(box.high.x) + 1.5, std::ceil(box.high.y) + 1.5}};
+    const auto edges_a = window_edges_of(a, window);
+    std::vector<int> sides;
+    for (const Point2 c : internal::corners(window)) {
+      const auto side = a.locate(c);
+      sides.push_back(side == Polygon::Side::inside ? 1 : side == Polygon::Side::outside ? -1 : 0);
+    }
+    std::vector<Outline> outlines;
+    if (!internal::union_outlines(edges_a, edges_b, window, sides, outlines)) continue;
+    Candidate candidate(a, b, gap, attempt > 0);
+    for (const Outline& o : outlines) candidate.add(o);
+    const auto edit = candidate.finish(edges_a);
+    if (!edit) continue;
+    if (edit->chains.empty() && edit->loops.empty() && edit->removed_cycles.empty())
+      return true;  // b inside a
+    if (a.judge(*edit) != Verdict::valid) continue;
+    a.commit(*edit, ids);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace limpet::geometry

@@ -1,0 +1,19 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <limpet/geometry/polygon.hpp>
+
+namespace limpet::geometry {
+
+/// Makes `a` the union of two overlapping polygons of one chart (thesis §2.4.3, "Merging Overlapping Planar
+/// Polygons"), by a planar arrangement of b's edges and those of a in b's window, with the source edge of
+/// every piece carried along: edges that survive whole keep their identities. Crossings, coincident
+/// stretches, touching vertices, and one inside the other are all decided exactly. Holes formed are dropped
+/// when they collapse at `gap` (λ, grid steps), else kept.
+///
+/// The candidate's vertices are rounded and then judged. Where rounding or a touching vertex broke it, b's
+/// vertices are moved by a few grid steps (up to λ/128, far below what a perimeter is known to) and the
+/// outline is taken again, a bounded number of times. False, and `a` as it was, when no candidate is valid.
+bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds&);
+
+}  // namespace limpet::geometry
