@@ -1,0 +1,80 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <cmath>
+#include <numbers>
+
+#include "hand_made.hpp"
+
+namespace limpet::audit {
+namespace {
+
+// --- shared edges
+// -------------------------------------------------------------------------------------------
+
+TEST(SharedEdges, ConcaveNeighboursPass) {
+  // A wall that rises east of the floor and faces west.
+  const Document document =
+      neighbours(rectangle(-800, 0, 0, 1000), rectangle(-1000, 0, 0, 800), {{{0, 0}, {-1000, 0}}}, kWestWall);
+  EXPECT_EQ(broken(document), kNothing);
+}
+
+// Along the wall's chart a roof of 10 degrees may miss the line by 2 / sin 10° = 11.5 steps.
+TEST(SharedEdges, TheSharperTheAngleTheFartherTheLine) {
+  const double theta = 10 * std::numbers::pi / 180;
+  for (const int gap : {0, 11, -11, 12, -12}) {
+    Document document = roof();
+    Polygon& slope = document.polygons[1];
+    slope.v = {-std::cos(theta), 0, std::sin(theta)};
+    slope.n = {std::sin(theta), 0, std::cos(theta)};
+    slope.moments = {};
+    slope.axis_sum = {};
+    document.points = document.polygons[0].moments.m;
+    for (Vertex& p : slope.cycles[0])
+      if (p.y == 0) p.y = gap;
+    EXPECT_EQ(broken(document), std::abs(gap) > 11 ? Names{"shared-line"} : kNothing) << gap;
+  }
+}
+
+TEST(SharedEdges, CornersNeedNotMeet) {
+  Document document = everything();
+  // The face moves 5 steps along its edges with two neighbours, and stays on all common lines of these.
+  Polygon& face = cube_face(document, 4);
+  for (Vertex& p : face.cycles[0]) p.x += p.x > 0 ? 2 : -2;
+  EXPECT_EQ(broken(document), kNothing);
+  for (Vertex& p : face.cycles[0]) p.x += p.x > 0 ? 1 : -1;
+  EXPECT_EQ(broken(document), Names{"shared-line"});
+}
+
+TEST(SharedEdges, OpenEndsMustMeet) {
+  Document document = roof();
+  vertex_at(document, 1, {1000, 0}).x = 900;
+  EXPECT_EQ(broken(document), Names{"shared-ends"});
+}
+
+TEST(SharedEdges, NestedNeighboursPass) {
+  // Two walls, each met twice, one between the other's edges: a b b a.
+  Document document = alternating();
+  for (Vertex* e : {&vertex_at(document, 0, {0, 500}), &vertex_at(document, 1, {-400, 0})}) e->partner = 0;
+  EXPECT_EQ(broken(document), kNothing);
+}
+
+TEST(SharedEdges, OrderIsCyclic) {
+  // Which vertex a cycle begins with means nothing.
+  for (std::size_t s = 0; s < 2; ++s)
+    for (std::ptrdiff_t turn = 0; turn < 12; ++turn) {
+      Document document = combs();
+      Cycle& cycle = document.polygons[s].cycles[0];
+      std::rotate(cycle.begin(), cycle.begin() + turn, cycle.end());
+      EXPECT_EQ(broken(document), kNothing) << turn;
+      document = twisted();
+      Cycle& other = document.polygons[s].cycles[0];
+      std::rotate(other.begin(), other.begin() + turn, other.end());
+      EXPECT_EQ(broken(document), Names{"local-order"}) << turn;
+      document = alternating();
+      Cycle& floor = document.polygons[0].cycles[0];
+      std::rotate(floor.begin(), floor.begin() + turn, floor.end());
+      EXPECT_EQ(broken(document), Names{"global-order"}) << turn;
+    }
+}
+
+}  // namespace
+}  // namespace limpet::audit
