@@ -49,7 +49,7 @@ std::vector<Vector3d> viewpoints_around(const Mesh& mesh, bool with_faces) {
 
 std::vector<Vector3d> viewpoints_above(const Mesh& mesh) {
   std::vector<Vector3d> viewpoints;
-  const double slant = 0.55;  // horizontal part of the direction for a vertical part of 1
+  const double slant = 1;  // horizontal part of the direction for a vertical part of 1
   const double directions[8][2] = {{1, 0},  {0.7, 0.7},   {0, 1},  {-0.7, 0.7},
                                    {-1, 0}, {-0.7, -0.7}, {0, -1}, {0.7, -0.7}};
   for (const auto& [x, y] : directions)

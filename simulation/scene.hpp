@@ -22,7 +22,7 @@ Scene make_scene(const std::string& shape_or_path);
 /// if asked for, of its six faces. None is quite symmetric, so no ray runs along an axis-parallel edge.
 std::vector<Eigen::Vector3d> viewpoints_around(const Mesh& mesh, bool with_faces);
 
-/// Above a height field, two diagonals away: eight azimuths at an elevation of about 60°, and the zenith.
+/// Above a height field, two diagonals away: eight azimuths at an elevation of about 45°, and the zenith.
 std::vector<Eigen::Vector3d> viewpoints_above(const Mesh& mesh);
 
 }  // namespace limpet::simulation
