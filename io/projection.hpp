@@ -1,0 +1,31 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <limpet/io/drawing.hpp>
+#include <limpet/io/lifted.hpp>
+#include <limpet/io/sheet.hpp>
+#include <vector>
+
+namespace limpet::io {
+
+/// What of a model is drawn, in the world.
+struct Scene {
+  std::vector<LiftedPolygon> polygons;  ///< finite, each with a perimeter of three vertices at least
+  std::vector<Eigen::Vector3d> loose;   ///< centres of the point segments
+  Eigen::AlignedBox3d box;              ///< of the polygons; of the loose points where there are none
+};
+
+Scene make_scene(const model::ModelRecord& model, bool loose_points);
+
+/// The views that show these scenes well (see default_views).
+std::vector<View> choose_views(const std::vector<Scene>& scenes);
+
+/// Extent of a box across a view: width and height, in the box's unit.
+Eigen::Vector2d projected_size(const Eigen::AlignedBox3d& box, const View& view);
+
+/// Fills a panel: `box` in its middle, `scale` pixels to a unit.
+void project(const Scene& scene, const View& view, const Eigen::AlignedBox3d& box, double scale,
+             Panel& panel);
+
+}  // namespace limpet::io
