@@ -81,6 +81,18 @@ std::vector<LawCase> fit_cases() {
        [](Document& d) {
          add_bare_point(d, centred(9, {100, 0, -101, 100, 0, 100}));
        }},
+      {"moments", "first minor, determinant 0",
+       [](Document& d) {
+         add_bare_point(d, centred(9, {1, 2, 0, 1, 0, 0}));
+       }},
+      {"moments", "second minor, determinant 0",
+       [](Document& d) {
+         add_bare_point(d, centred(9, {0, 0, 0, 1, 2, 1}));
+       }},
+      {"moments", "third minor, determinant 0",
+       [](Document& d) {
+         add_bare_point(d, centred(9, {1, 0, 2, 0, 0, 1}));
+       }},
       {"moments", "negative determinant",
        [](Document& d) {
          add_bare_point(d, centred(9, {10, -6, -6, 10, -6, 10}));
@@ -166,6 +178,10 @@ std::vector<LawCase> perimeter_cases() {
        [=](Document& d) {
          plate(d).cycles.pop_back();
          set(first_hole(d), rectangle(-1, -1, 1001, 1001));
+       }},
+      {"nesting", "hole in an earlier hole",
+       [=](Document& d) {
+         move(first_hole(d), 450, 500), std::swap(plate(d).cycles[1], plate(d).cycles[2]);
        }},
       {"nesting", "hole in a hole", [=](Document& d) { move(first_hole(d), 450, 500); }},
   };

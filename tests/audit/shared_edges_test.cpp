@@ -50,6 +50,29 @@ TEST(SharedEdges, OpenEndsMustMeet) {
   EXPECT_EQ(broken(document), Names{"shared-ends"});
 }
 
+TEST(SharedEdges, ACornerNeedNotMeetAnOpenEnd) {
+  Document document = roof();
+  vertex_at(document, 1, {1000, 0}).x = 900;
+  EXPECT_EQ(broken(document), Names{"shared-ends"});
+  const Frame north = {{0, 1000, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+  add_polygon(document, north, {rectangle(0, -800, 800, 0)});
+  share(vertex_at(document, 0, {0, 1000}), vertex_at(document, 2, {800, 0}));
+  EXPECT_EQ(broken(document), kNothing);
+}
+
+TEST(SharedEdges, TheLineIsThatOfThePublishedPlanes) {
+  // A floor that rises northwards by 1 in 64, and a wall under its east side.
+  Document document = neighbours(rectangle(-800, 0, 0, 6400), {{0, -800}, {6400, -800}, {6400, 100}, {0, 0}},
+                                 {{{0, 0}, {6400, 100}}});
+  EXPECT_EQ(broken(document), (Names{"shared-line", "shared-ends"}));
+  document.polygons[0].hy = 1 / 64.0;
+  EXPECT_EQ(broken(document), kNothing);
+  vertex_at(document, 1, {6400, 100}).y = 102;
+  EXPECT_EQ(broken(document), kNothing);
+  vertex_at(document, 1, {6400, 102}).y = 103;
+  EXPECT_EQ(broken(document), Names{"shared-line"});
+}
+
 TEST(SharedEdges, NestedNeighboursPass) {
   // Two walls, each met twice, one between the other's edges: a b b a.
   Document document = alternating();

@@ -125,6 +125,22 @@ TEST(ValidModels, SegmentsWithoutDataMayShareEdges) {
   EXPECT_EQ(broken(document), kNothing);
 }
 
+TEST(ValidModels, TheFitIsJudgedAboutTheTiltedPlane) {
+  Document document = document_of({rectangle(0, 0, 64000, 64000)});
+  Polygon& polygon = document.polygons[0];
+  set_points(document, polygon, {{0, 0, 0}, {64000, 0, 2000}, {0, 64000, -1000}, {64000, 64000, 1000}},
+             {0, 0, -1});
+  EXPECT_EQ(broken(document), Names{"plane-variance"});
+  polygon.hx = 1 / 32.0;
+  polygon.hy = -1 / 64.0;
+  EXPECT_EQ(broken(document), kNothing);
+  polygon.hx = -1 / 32.0;
+  EXPECT_EQ(broken(document), Names{"plane-variance"});
+  polygon.hx = 1 / 32.0;
+  polygon.hy = 1 / 64.0;
+  EXPECT_EQ(broken(document), Names{"plane-variance"});
+}
+
 TEST(ValidModels, PointsAreCountedBeyond64Bits) {
   Document document = empty_document();
   Moments moments;
@@ -134,9 +150,6 @@ TEST(ValidModels, PointsAreCountedBeyond64Bits) {
   document.points = UINT64_MAX - 1;  // what the sum would wrap to
   EXPECT_EQ(broken(document), Names{"point-count"});
 }
-
-// --- random perimeters
-// --------------------------------------------------------------------------------------
 
 using RandomPerimeters = SeededTest;
 
