@@ -78,7 +78,8 @@ bool needs_four(FissureType t) { return t == FissureType::IV || t == FissureType
 
 class Filler {
  public:
-  Filler(Polygon& polygon, double gap, EdgeIds& ids) : polygon_(polygon), gap_(gap), ids_(ids) {}
+  Filler(Polygon& polygon, double gap, EdgeIds& ids, bool bridge)
+      : polygon_(polygon), gap_(gap), ids_(ids), bridge_(bridge) {}
 
   std::size_t run(std::span<const std::pair<Slot, EdgeId>> fresh) {
     for (const auto& [slot, edge] : fresh) queue_.emplace_back(slot, edge);
@@ -91,7 +92,7 @@ class Filler {
       Slot v1 = polygon_.prev(polygon_.prev(slot));
       bool filled = false;
       for (int k = 0; k < 3 && !filled; ++k, v1 = polygon_.next(v1)) filled = fill_at(v1);
-      if (!filled && current(slot, edge)) filled = bridge_at(slot);
+      if (!filled && bridge_ && current(slot, edge)) filled = bridge_at(slot);
       if (filled && current(slot, edge)) queue_.emplace_back(slot, edge);
       count_ += filled;
     }
@@ -159,6 +160,7 @@ class Filler {
   Polygon& polygon_;
   double gap_;
   EdgeIds& ids_;
+  bool bridge_;
   std::deque<std::pair<Slot, EdgeId>> queue_;
   std::size_t count_ = 0;
 };
@@ -166,8 +168,8 @@ class Filler {
 }  // namespace
 
 std::size_t fill_fissures(Polygon& polygon, std::span<const std::pair<Slot, EdgeId>> fresh, double gap,
-                          EdgeIds& ids) {
-  return Filler(polygon, gap, ids).run(fresh);
+                          EdgeIds& ids, bool bridge) {
+  return Filler(polygon, gap, ids, bridge).run(fresh);
 }
 
 bool collapses(std::vector<Point2> chain, double gap) {

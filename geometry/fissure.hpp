@@ -10,9 +10,10 @@ namespace limpet::geometry {
 /// Fills the fissures that edges in `fresh` take part in, and those that filling forms (thesis §2.5): at each
 /// set of consecutive vertices types IV, V, VI, I, II, III in this order, and, since a perimeter that grew
 /// around something meets itself, bridges sections of one perimeter that are within `gap` and in sight of
-/// each other (thesis §2.3, "between two points on the same model segment"). A hole that collapses is
-/// dropped. `gap` is λ in grid steps. Returns how many were filled.
-std::size_t fill_fissures(Polygon&, std::span<const std::pair<Slot, EdgeId>> fresh, double gap, EdgeIds&);
+/// each other (thesis §2.3, "between two points on the same model segment"), unless `bridge` is false. A hole
+/// that collapses is dropped. `gap` is λ in grid steps. Returns how many were filled.
+std::size_t fill_fissures(Polygon&, std::span<const std::pair<Slot, EdgeId>> fresh, double gap, EdgeIds&,
+                          bool bridge = true);
 
 /// Does a closed chain vanish when its fissures are filled, shared edges and sight left aside (thesis §2.4.3,
 /// §2.5)?

@@ -104,7 +104,7 @@ Slot Polygon::add_node(const NewVertex& v, CycleId cycle, EdgeIds& ids) {
   nodes_[i] = Node{v.at, kNoSlot, kNoSlot, cycle, fresh ? ids.take() : v.edge, v.shared, 0};
   ++edge_count_;
   box_.add(v.at);
-  if (fresh) created_.emplace_back(Slot{i}, nodes_[i].edge);
+  created_.emplace_back(Slot{i}, nodes_[i].edge);
   return Slot{i};
 }
 

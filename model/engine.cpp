@@ -1,0 +1,133 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <cmath>
+#include <stdexcept>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+void require(bool good, const char* what) {
+  if (!good) throw std::invalid_argument(what);
+}
+
+}  // namespace
+
+double cosine(double x) {
+  double term = 1, sum = 1;
+  for (int k = 1; k < 20; ++k) {
+    term *= -x * x / ((2 * k - 1) * (2 * k));
+    sum += term;
+  }
+  return sum;
+}
+
+Engine::Engine(const Parameters& p) : parameters(p) {
+  const auto finite = [](double x) { return std::isfinite(x); };
+  require(finite(p.resolution) && p.resolution > 0, "the linear resolution must be a length greater than 0");
+  require(finite(p.angle_rad) && p.angle_rad > 0 && p.angle_rad < 1.5707,
+          "the angular resolution must lie between 0 and 90 degrees");
+  require(finite(p.noise) && p.noise >= 0, "the noise must be a length of 0 or more");
+  require(finite(p.tolerance) && p.tolerance >= 0, "the tolerance must be a length of 0 or more");
+  require(finite(p.input_quantum) && p.input_quantum >= 0, "the input quantum must be a length of 0 or more");
+  require(p.resolution > 1e-150 && p.resolution < 1e150, "the linear resolution is out of range");
+  step = geometry::grid_step_for(p.resolution);
+  variance = p.noise * p.noise + step * step + p.input_quantum * p.input_quantum;
+  gap = p.resolution / step;
+  cos_angle = cosine(p.angle_rad);
+  sin_angle = std::sqrt(1 - cos_angle * cos_angle);
+}
+
+Segment* Engine::find(SegmentId id) {
+  const auto entry = slot_of.find(id.value);
+  return entry == slot_of.end() ? nullptr : segments[entry->second].get();
+}
+
+Box3 box_around(const Eigen::Vector3d& p, double reach) {
+  return {p - Eigen::Vector3d::Constant(reach), p + Eigen::Vector3d::Constant(reach)};
+}
+
+Segment& create_point_segment(Engine& e, const RawPoint& raw) {
+  std::uint32_t slot = 0;
+  if (e.free_slots.empty()) {
+    slot = static_cast<std::uint32_t>(e.segments.size());
+    e.segments.emplace_back();
+  } else {
+    slot = e.free_slots.back();
+    e.free_slots.pop_back();
+  }
+  e.segments[slot] = std::make_unique<Segment>();
+  Segment& s = *e.segments[slot];
+  s.id = {e.next_segment++};
+  s.slot = slot;
+  s.moments = Moments(raw.at);
+  s.axis_sum = raw.axis;
+  s.raw = {raw};
+  s.fit = fit_to(s.moments, e.step, s.axis_sum);
+  s.last_joined = e.counts.points;
+  e.slot_of[s.id.value] = slot;
+  e.by_age.emplace_back(s.last_joined, s.id);
+  set_label(e, raw, s.id);
+  update_index(e, s);
+  mark_modified(e, s);
+  e.changes.push_back({Change::Kind::created, {}, {}, s.id, {}});
+  return s;
+}
+
+void erase_segment(Engine& e, Segment& s) {
+  const std::uint32_t slot = s.slot;
+  if (!s.indexed.isEmpty()) e.index.remove(s.indexed, slot);
+  e.slot_of.erase(s.id.value);
+  e.segments[slot].reset();
+  e.free_slots.push_back(slot);
+}
+
+void mark_modified(Engine& e, Segment& s) {
+  if (s.modified) return;
+  s.modified = true;
+  e.modified.push_back(s.slot);
+}
+
+void update_index(Engine& e, Segment& s) {
+  // Boxes are larger by λ than what they hold, and by some slack more, so that most growth leaves the tree
+  // alone.
+  const double reach = e.parameters.resolution;
+  const Box3 tight = s.polygon ? s.polygon->box : box_around(s.fit.centroid, 0);
+  const Box3 needed(tight.min() - Eigen::Vector3d::Constant(reach),
+                    tight.max() + Eigen::Vector3d::Constant(reach));
+  if (!s.indexed.isEmpty()) {
+    if (s.indexed.contains(needed)) return;
+    e.index.remove(s.indexed, s.slot);
+  }
+  const double slack = s.polygon ? reach + 0.1 * tight.sizes().maxCoeff() : reach / 4;
+  s.indexed =
+      Box3(needed.min() - Eigen::Vector3d::Constant(slack), needed.max() + Eigen::Vector3d::Constant(slack));
+  e.index.insert(s.indexed, s.slot);
+}
+
+Box3 perimeter_box(const PolygonPart& part) {
+  Box3 box;
+  for (std::uint32_t i = 0; i < part.perimeter.slot_count(); ++i) {
+    const geometry::Slot s{i};
+    if (!part.perimeter.alive(s)) continue;
+    const geometry::Point2 p = part.perimeter.at(s);
+    box.extend(part.chart.at(p, part.published(p)));
+  }
+  return box;
+}
+
+void description_changed(Engine& e, Segment& s, const Box3& where) {
+  ++s.polygon->shape;
+  s.polygon->changed.extend(where);
+  mark_modified(e, s);
+}
+
+void set_label(Engine& e, const RawPoint& raw, SegmentId id) {
+  if (e.labels_kept && raw.serial >= 0) e.labels[static_cast<std::size_t>(raw.serial)] = id.value;
+}
+
+void forward_label(Engine& e, SegmentId from, SegmentId to) {
+  if (e.labels_kept && from != to) e.label_goes_to[from.value] = to.value;
+}
+
+}  // namespace limpet::model::internal

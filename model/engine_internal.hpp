@@ -1,0 +1,178 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include <limpet/geometry/chart.hpp>
+#include <limpet/geometry/polygon.hpp>
+#include <limpet/model/fit.hpp>
+#include <limpet/model/model.hpp>
+#include <limpet/model/moments.hpp>
+#include <limpet/model/spatial_index.hpp>
+
+/// The state behind a Model and the operations of chapter 2 on it, one file each. Nothing here is installed.
+namespace limpet::model::internal {
+
+/// Young segments keep their sensor points up to this many.
+inline constexpr std::int64_t kYoung = 64;
+/// A sensor point goes through at most this many dissolved segments.
+inline constexpr int kMaxReturns = 4;
+
+struct RawPoint {
+  GridPoint at{};
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  int returned = 0;
+  std::int64_t serial = -1;  ///< place in the labels, when they are kept
+};
+
+/// What a planar polygon segment has beyond a point segment.
+struct PolygonPart {
+  geometry::Chart chart;
+  geometry::Polygon perimeter;
+  geometry::Lift published;  ///< plane that perimeters are lifted to
+  geometry::Plane initial;   ///< thesis §2.4.1
+  Box3 box;                  ///< of the perimeter in the world
+  Box3 changed;              ///< where the description has changed since step 2 last saw it; empty: nowhere
+  std::uint64_t shape = 0;   ///< counts changes of the description
+  std::vector<std::pair<geometry::Slot, geometry::EdgeId>> fresh;  ///< edges not yet looked at for fissures
+};
+
+struct Segment {
+  SegmentId id;
+  std::uint32_t slot = 0;
+  Moments moments;
+  Eigen::Vector3d axis_sum = Eigen::Vector3d::Zero();
+  Fit fit;
+  std::int64_t next_fit = 0;  ///< count at which the fit is computed anew
+  std::vector<RawPoint> raw;  ///< all its points while young, else none
+  std::int64_t last_joined = 0;
+  Box3 indexed;  ///< as it is in the spatial index
+  bool modified = false;
+  std::unique_ptr<PolygonPart> polygon;  ///< none: a point segment
+
+  bool young() const { return !raw.empty(); }
+  bool mature_polygon() const { return polygon && !young(); }
+};
+
+struct Engine {
+  explicit Engine(const Parameters&);
+
+  Parameters parameters;
+  double step = 0;      ///< grid step, scan's unit
+  double variance = 0;  ///< of one point about its plane: noise, grid and input rounding together
+  double gap = 0;       ///< λ in grid steps
+  double sin_angle = 0, cos_angle = 0;  ///< of μ
+
+  geometry::EdgeIds edge_ids;
+  std::uint64_t next_segment = 1;
+  std::vector<std::unique_ptr<Segment>> segments;  ///< by slot
+  std::vector<std::uint32_t> free_slots;
+  SpatialIndex index;
+
+  Counts counts;
+  std::vector<std::uint32_t> modified;  ///< slots whose flag is set (thesis §2.3)
+  std::vector<Change> changes;
+  std::deque<RawPoint> pending;                           ///< sensor points to be inserted (again)
+  std::deque<std::pair<std::int64_t, SegmentId>> by_age;  ///< (last joined, segment), for expiry
+  std::unordered_map<std::uint64_t, std::uint32_t> slot_of;
+  /// Pairs whose merger the geometry refused, with their shapes at that time: not tried again until one has
+  /// changed.
+  std::map<std::pair<SegmentId, SegmentId>, std::pair<std::uint64_t, std::uint64_t>> refused_pairs;
+
+  bool labels_kept = false;
+  std::vector<std::uint64_t> labels;                               ///< segment each point joined
+  std::unordered_map<std::uint64_t, std::uint64_t> label_goes_to;  ///< merged segments
+
+  std::vector<std::uint32_t> found;  ///< scratch of queries
+
+  Eigen::Vector3d world(const GridPoint& p) const {
+    return step *
+           Eigen::Vector3d(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
+  }
+  Segment& at(std::uint32_t slot) { return *segments[slot]; }
+  Segment* find(SegmentId);
+  const Rules& rules() const { return parameters.rules; }
+};
+
+/// Cosine by its series: the same bits everywhere. Precondition: |x| ≤ 2.
+double cosine(double x);
+
+// engine.cpp: segments and their bookkeeping
+Segment& create_point_segment(Engine&, const RawPoint&);
+void erase_segment(Engine&, Segment&);
+void mark_modified(Engine&, Segment&);
+void update_index(Engine&, Segment&);
+void set_label(Engine&, const RawPoint&, SegmentId);
+void forward_label(Engine&, SegmentId from, SegmentId to);
+/// Notes that the description changed in `where` (world).
+void description_changed(Engine&, Segment&, const Box3& where);
+/// World boxes.
+Box3 box_around(const Eigen::Vector3d& p, double reach);
+Box3 perimeter_box(const PolygonPart&);
+
+// insert.cpp: a sensor point finds its segment (thesis §2.3 step 2a for points)
+void insert_point(Engine&, const RawPoint&);
+void insert_pending(Engine&);
+
+// merge_points.cpp: §2.4.1
+enum class PointMerger { refused, point, polygon };
+PointMerger merge_point_segments(Engine&, Segment& into, Segment& from);
+
+// merge_point_polygon.cpp: §2.4.2
+/// How a point stands to a polygon segment; `distance2` is from the polygon, squared.
+struct Standing {
+  bool near = false;  ///< nearer than λ, on the right side, and fitting
+  double distance2 = 0;
+  bool outside = false;           ///< of the perimeter
+  double perimeter_distance = 0;  ///< grid steps, when outside
+  geometry::Point2 chart_point;
+};
+/// Largest squared residual that data of `count` points centred at p may have about the segment's plane.
+double residual_limit(const Engine&, const Segment& polygon, const Eigen::Vector3d& p);
+Standing standing(const Engine&, const Segment& polygon, const Eigen::Vector3d& p,
+                  const Eigen::Vector3d& axis, double squared_residual);
+bool merge_point_into_polygon(Engine&, Segment& polygon, const RawPoint&, const Standing&);
+bool merge_segment_into_polygon(Engine&, Segment& polygon, Segment& point_segment, const Standing&);
+
+// merge_polygons.cpp: §2.4.3
+bool merge_polygon_segments(Engine&, Segment&, Segment&);
+/// Step 2a for polygons; returns whether any merger succeeded.
+bool merge_modified_polygons(Engine&);
+
+// publish.cpp: the fit, the published plane, the chart
+void refit(Engine&, Segment&);
+void refit_if_due(Engine&, Segment&);
+void publish(Engine&, Segment&);
+bool differs_from_initial(const Engine&, const PolygonPart&, const Fit&);
+/// b's cycles as seen in a's chart, valid, or nothing.
+std::optional<geometry::Polygon> in_chart_of(Engine&, const geometry::Chart&, const PolygonPart& b);
+
+// dissolve.cpp: young segments beside mature polygons
+bool dissolve_young(Engine&);
+void release_points(Engine&, Segment&, bool count_return);
+
+// fissures.cpp: §2.5 and step 3
+bool fill_modified(Engine&);
+
+// update.cpp: §2.3
+void update_set(Engine&, std::span<const SensorPoint>);
+void finish(Engine&);
+
+// record.cpp
+ModelRecord to_record(const Engine&);
+void from_record(Engine&, const ModelRecord&);
+
+// surfaces.cpp
+std::vector<std::vector<SegmentId>> surfaces(const Engine&);
+
+}  // namespace limpet::model::internal
+
+namespace limpet::model {
+struct Model::State {
+  internal::Engine engine;
+};
+}  // namespace limpet::model

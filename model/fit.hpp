@@ -1,0 +1,34 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <limpet/geometry/chart.hpp>
+#include <limpet/model/moments.hpp>
+
+namespace limpet::model {
+
+/// Point and plane of best fit to the points behind some moments (thesis §2.2): centroid, eigenvalues u1 ≥ u2
+/// ≥ u3 of the covariance (scan's unit squared) and their axes. The normal belongs to u3; its side is the
+/// caller's to choose.
+struct Fit {
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis1 = Eigen::Vector3d::UnitX(), axis2 = Eigen::Vector3d::UnitY();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  double u1 = 0, u2 = 0, u3 = 0;
+  double count = 0;
+
+  /// Variance about the point of best fit, s_pt² (thesis §2.2); the variance about the plane, s_pp², is u3.
+  double point_variance() const { return u1 + u2 + u3; }
+  geometry::Plane plane() const { return {centroid, normal}; }
+  /// Variance of the plane's height at p when each point has variance `variance` along the normal.
+  double height_variance(const Eigen::Vector3d& p, double variance) const;
+  /// Standard error of the normal, radians.
+  double normal_error(double variance) const;
+};
+
+/// Fit with the normal turned away from `inside` (a sum of sensing axes, which point into the surface),
+/// thesis §2.4.1.
+Fit fit_to(const Moments&, double step, const Eigen::Vector3d& inside);
+
+}  // namespace limpet::model

@@ -1,0 +1,105 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+struct Candidate {
+  double distance2;
+  SegmentId id;
+  Segment* segment;
+  Standing standing;
+};
+
+/// Nearest first, ties by identity; with the thesis's rules in the order of memory.
+void order(const Engine& e, std::vector<Candidate>& candidates) {
+  std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+    if (e.rules().best && a.distance2 != b.distance2) return a.distance2 < b.distance2;
+    return a.id < b.id;
+  });
+}
+
+void add_polygon(const Engine& e, Segment& s, const Eigen::Vector3d& p, const Eigen::Vector3d& axis,
+                 double residual2, std::vector<Candidate>& candidates) {
+  const Standing st = standing(e, s, p, axis, residual2);
+  if (st.near) candidates.push_back({st.distance2, s.id, &s, st});
+}
+
+/// A point segment tries its neighbours until it has merged into a polygon or fits no other any more.
+void settle(Engine& e, Segment* s, bool polygons_tried) {
+  std::vector<Candidate> polygons, points;
+  for (;;) {
+    polygons.clear(), points.clear();
+    const Eigen::Vector3d centroid = s->fit.centroid;
+    e.index.query(box_around(centroid, 0), e.found);
+    for (const std::uint32_t slot : e.found) {
+      Segment& other = e.at(slot);
+      if (&other == s) continue;
+      if (!other.polygon) {
+        const double d2 = (other.fit.centroid - centroid).squaredNorm();
+        if (d2 < e.parameters.resolution * e.parameters.resolution)
+          points.push_back({d2, other.id, &other, {}});
+      } else if (!polygons_tried) {
+        add_polygon(e, other, centroid, s->axis_sum, s->moments.squared_residual(other.fit.plane(), e.step),
+                    polygons);
+      }
+    }
+    order(e, polygons);
+    if (!e.rules().best)
+      polygons.insert(polygons.end(), points.begin(), points.end()), points.clear(), order(e, polygons);
+    order(e, points);
+    polygons.insert(polygons.end(), points.begin(),
+                    points.end());  // a fitting polygon beats a nearer point segment
+    Segment* next = nullptr;
+    for (const Candidate& c : polygons) {
+      if (c.segment->polygon) {
+        if (merge_segment_into_polygon(e, *c.segment, *s, c.standing)) return;
+        continue;
+      }
+      const PointMerger merger = merge_point_segments(e, *c.segment, *s);
+      if (merger == PointMerger::polygon) return;
+      if (merger == PointMerger::point) {
+        next = c.segment;
+        break;
+      }
+    }
+    if (!next) return;
+    s = next;
+    polygons_tried = false;
+  }
+}
+
+}  // namespace
+
+void insert_point(Engine& e, const RawPoint& raw) {
+  static thread_local std::vector<Candidate> candidates;
+  candidates.clear();
+  const Eigen::Vector3d p = e.world(raw.at);
+  e.index.query(box_around(p, 0), e.found);
+  for (const std::uint32_t slot : e.found) {
+    Segment& s = e.at(slot);
+    if (!s.polygon) continue;
+    const double height = s.fit.plane().height_of(p);
+    add_polygon(e, s, p, raw.axis, height * height, candidates);
+  }
+  if (candidates.size() > 1) order(e, candidates);
+  if (e.rules().best) {
+    for (const Candidate& c : candidates)
+      if (merge_point_into_polygon(e, *c.segment, raw, c.standing)) return;
+    settle(e, &create_point_segment(e, raw), true);
+  } else {
+    settle(e, &create_point_segment(e, raw), false);
+  }
+}
+
+void insert_pending(Engine& e) {
+  while (!e.pending.empty()) {
+    const RawPoint raw = e.pending.front();
+    e.pending.pop_front();
+    insert_point(e, raw);
+  }
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,152 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Merging two planar polygon segments (thesis §2.4.3).
+#include <algorithm>
+#include <cmath>
+
+#include <limpet/geometry/merge.hpp>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+/// May the two be one plane? The smaller one's points are judged about the larger one's plane.
+bool planes_agree(const Engine& e, const Segment& a, const Segment& b) {
+  const Segment& small = a.moments.count() < b.moments.count() ? a : b;
+  const Segment& large = &small == &a ? b : a;
+  double limit_rad = e.parameters.angle_rad;
+  if (e.rules().residual) {
+    const double ea = a.fit.normal_error(e.variance), eb = b.fit.normal_error(e.variance);
+    limit_rad = std::min(1.5, std::max(limit_rad, 3 * std::sqrt(ea * ea + eb * eb)));
+  }
+  const double cos_limit = limit_rad == e.parameters.angle_rad ? e.cos_angle : cosine(limit_rad);
+  if (a.fit.normal.dot(b.fit.normal) <= cos_limit) return false;
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  if (e.rules().residual) {
+    const double residual2 = small.moments.squared_residual(large.fit.plane(), e.step);
+    const double by_noise = 4 * e.variance + 9 * large.fit.height_variance(small.fit.centroid, e.variance);
+    if (residual2 > std::max(by_noise, e.parameters.tolerance * e.parameters.tolerance) ||
+        residual2 >= lambda2)
+      return false;
+  }
+  Moments merged = a.moments;
+  merged.add(b.moments);
+  return fit_to(merged, e.step, -large.fit.normal).u3 < lambda2;
+}
+
+bool remembered_as_refused(const Engine& e, const Segment& a, const Segment& b) {
+  const auto found = e.refused_pairs.find({std::min(a.id, b.id), std::max(a.id, b.id)});
+  if (found == e.refused_pairs.end()) return false;
+  const Segment &first = a.id < b.id ? a : b, &second = a.id < b.id ? b : a;
+  return found->second == std::pair(first.polygon->shape, second.polygon->shape);
+}
+
+void remember_refusal(Engine& e, const Segment& a, const Segment& b) {
+  const Segment &first = a.id < b.id ? a : b, &second = a.id < b.id ? b : a;
+  e.refused_pairs[{first.id, second.id}] = {first.polygon->shape, second.polygon->shape};
+  // Pairs with a segment that is gone go when there are many.
+  if (e.refused_pairs.size() > 2 * e.slot_of.size() + 64)
+    std::erase_if(e.refused_pairs, [&](const auto& entry) {
+      return !e.find(entry.first.first) || !e.find(entry.first.second);
+    });
+}
+
+/// Edges of b that did not come along into the merged perimeter.
+std::vector<geometry::EdgeId> lost_edges(
+    const geometry::Polygon& b, const std::vector<std::pair<geometry::Slot, geometry::EdgeId>>& created) {
+  std::vector<geometry::EdgeId> ids, came;
+  for (std::uint32_t i = 0; i < b.slot_count(); ++i)
+    if (b.alive(geometry::Slot{i})) ids.push_back(b.node(geometry::Slot{i}).edge);
+  for (const auto& [slot, edge] : created) came.push_back(edge);
+  std::sort(ids.begin(), ids.end());
+  std::sort(came.begin(), came.end());
+  std::vector<geometry::EdgeId> lost;
+  std::set_difference(ids.begin(), ids.end(), came.begin(), came.end(), std::back_inserter(lost));
+  return lost;
+}
+
+/// With the thesis's rules a merger that leaves a hole fails.
+geometry::Merger merge_perimeters(Engine& e, geometry::Polygon& a, const geometry::Polygon& b) {
+  if (e.rules().holes) return geometry::merge_polygons(a, b, e.gap, e.edge_ids);
+  geometry::Polygon trial = a;
+  const auto merger = geometry::merge_polygons(trial, b, e.gap, e.edge_ids);
+  if (trial.hole_count() > 0) return geometry::Merger::refused;
+  a = std::move(trial);
+  return merger;
+}
+
+}  // namespace
+
+bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
+  if (!planes_agree(e, s1, s2) || remembered_as_refused(e, s1, s2)) return false;
+  const bool first_larger = s1.polygon->perimeter.edge_count() >= s2.polygon->perimeter.edge_count();
+  Segment &a = first_larger ? s1 : s2, &b = first_larger ? s2 : s1;
+  PolygonPart& part = *a.polygon;
+  auto other = in_chart_of(e, part.chart, *b.polygon);
+  if (!other) return remember_refusal(e, a, b), false;
+  other->take_created();
+  const auto merger = merge_perimeters(e, part.perimeter, *other);
+  if (merger == geometry::Merger::too_far) return false;
+  if (merger == geometry::Merger::refused) return remember_refusal(e, a, b), false;
+
+  const auto created = part.perimeter.take_created();
+  part.fresh.insert(part.fresh.end(), created.begin(), created.end());
+  std::vector<geometry::EdgeId> removed = part.perimeter.take_removed();
+  const auto lost = lost_edges(*other, created);
+  removed.insert(removed.end(), lost.begin(), lost.end());
+
+  const SegmentId old_a = a.id, old_b = b.id;
+  const Box3 where = b.polygon->box;
+  const bool young = a.young() && b.young() && a.moments.count() + b.moments.count() <= kYoung;
+  if (young)
+    a.raw.insert(a.raw.end(), b.raw.begin(), b.raw.end());
+  else
+    a.raw = {};
+  a.moments.add(b.moments);
+  a.axis_sum += b.axis_sum;
+  part.changed.extend(b.polygon->changed);
+  erase_segment(e, b);
+
+  e.slot_of.erase(old_a.value);
+  a.id = {e.next_segment++};
+  e.slot_of[a.id.value] = a.slot;
+  a.last_joined = e.counts.points;
+  forward_label(e, old_a, a.id);
+  forward_label(e, old_b, a.id);
+  e.changes.push_back({Change::Kind::merged, old_a, old_b, a.id, {}});
+  if (!removed.empty()) e.changes.push_back({Change::Kind::edges_removed, {}, {}, a.id, std::move(removed)});
+  refit(e, a);
+  part.initial = a.fit.plane();
+  part.box = perimeter_box(part);
+  description_changed(e, a, where);
+  update_index(e, a);
+  return true;
+}
+
+bool merge_modified_polygons(Engine& e) {
+  bool any = false;
+  std::vector<std::pair<SegmentId, std::uint32_t>> turn;
+  for (const std::uint32_t slot : e.modified)
+    if (e.segments[slot] && e.segments[slot]->polygon && !e.segments[slot]->polygon->changed.isEmpty())
+      turn.emplace_back(e.segments[slot]->id, slot);
+  std::sort(turn.begin(), turn.end());
+  for (const auto& [id, slot] : turn) {
+    Segment* s = e.find(id);
+    if (!s) continue;  // merged away in this round; what it became is modified and has its turn next round
+    e.index.query(s->polygon->changed, e.found);
+    std::vector<std::pair<SegmentId, std::uint32_t>> others;
+    for (const std::uint32_t other : e.found)
+      if (other != slot && e.at(other).polygon) others.emplace_back(e.at(other).id, other);
+    std::sort(others.begin(), others.end());
+    // After a merger what came of it has its own turn in the next round, with all that had changed of both.
+    const bool merged = std::any_of(others.begin(), others.end(), [&](const auto& other) {
+      return merge_polygon_segments(e, *s, e.at(other.second));
+    });
+    if (!merged) s->polygon->changed = Box3();
+    any |= merged;
+  }
+  return any;
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,75 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/model/model.hpp>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model {
+namespace {
+
+Parameters parameters_of(const ModelRecord& r) {
+  Parameters p;
+  p.resolution = r.resolution;
+  p.angle_rad = r.angle_rad;
+  p.noise = r.noise;
+  p.tolerance = r.tolerance;
+  p.rules = Rules::parse(r.rules);
+  return p;
+}
+
+}  // namespace
+
+Model::Model(const Parameters& p) : state_(std::make_unique<State>(State{internal::Engine(p)})) {}
+
+Model::Model(const ModelRecord& r) : Model(parameters_of(r)) { internal::from_record(state_->engine, r); }
+
+Model::~Model() = default;
+Model::Model(Model&&) noexcept = default;
+Model& Model::operator=(Model&&) noexcept = default;
+
+const std::vector<Change>& Model::update(std::span<const SensorPoint> set) {
+  internal::update_set(state_->engine, set);
+  return state_->engine.changes;
+}
+
+const std::vector<Change>& Model::finish() {
+  internal::finish(state_->engine);
+  return state_->engine.changes;
+}
+
+const Parameters& Model::parameters() const { return state_->engine.parameters; }
+
+Counts Model::counts() const {
+  Counts c = state_->engine.counts;
+  for (const auto& s : state_->engine.segments) {
+    if (!s) continue;
+    if (!s->polygon) {
+      ++c.point_segments;
+      c.loose += s->moments.count();
+      continue;
+    }
+    ++c.polygons;
+    c.holes += static_cast<std::int64_t>(s->polygon->perimeter.hole_count());
+    c.edges += static_cast<std::int64_t>(s->polygon->perimeter.edge_count());
+  }
+  return c;
+}
+
+ModelRecord Model::record() const { return internal::to_record(state_->engine); }
+
+std::vector<std::vector<SegmentId>> Model::surfaces() const { return internal::surfaces(state_->engine); }
+
+void Model::keep_labels() { state_->engine.labels_kept = true; }
+
+std::vector<SegmentId> Model::labels() const {
+  const auto& e = state_->engine;
+  std::vector<SegmentId> result;
+  result.reserve(e.labels.size());
+  for (std::uint64_t id : e.labels) {
+    for (auto next = e.label_goes_to.find(id); next != e.label_goes_to.end(); next = e.label_goes_to.find(id))
+      id = next->second;
+    result.push_back({e.slot_of.count(id) ? id : 0});
+  }
+  return result;
+}
+
+}  // namespace limpet::model

@@ -1,0 +1,85 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <limpet/model/changes.hpp>
+#include <limpet/model/record.hpp>
+#include <limpet/model/rules.hpp>
+#include <limpet/model/sensor_point.hpp>
+
+namespace limpet::model {
+
+/// What a model is built to. Lengths in the scan's unit.
+struct Parameters {
+  double resolution = 0.05;                ///< λ: gaps smaller than this are not represented; > 0
+  double angle_rad = 0.17453292519943295;  ///< μ: angles smaller than this are not told apart; in (0, π/2)
+  double noise = 0;                        ///< standard deviation of a reading along its axis; ≥ 0
+  double input_quantum = 0;                ///< the scan's own rounding; ≥ 0
+  double tolerance = 0;  ///< how far from its plane a surface may be; 0: 3 standard deviations
+  std::int64_t outlier_patience = 1'000'000;  ///< sensor points after which a small point segment expires
+  Rules rules;
+};
+
+/// Counts over the life of a model.
+struct Counts {
+  std::int64_t points = 0;   ///< sensor points accepted
+  std::int64_t refused = 0;  ///< records that were no point
+  std::int64_t expired = 0;  ///< sensor points given up as outliers
+  std::int64_t loose = 0;    ///< sensor points in point segments
+  std::int64_t sets = 0;
+  std::int64_t point_segments = 0, polygons = 0, holes = 0;
+  std::int64_t edges = 0, shared_edges = 0;
+};
+
+/// An incremental planar polyhedral surface model (thesis chapter 2).
+///
+///     Model model({.resolution = 0.05, .noise = 0.001});
+///     while (auto readings = sense()) model.update(readings);
+///     model.finish();
+///     io::write_mesh(model.record(), "model.off");
+///
+/// After every call the promise of docs/exactness.md holds: each perimeter is a simple polygon,
+/// anticlockwise, its holes inside and disjoint. The same calls give the same model, byte for byte.
+class Model {
+ public:
+  /// Throws std::invalid_argument when a parameter is out of range.
+  explicit Model(const Parameters&);
+  /// Goes on from a record. Throws std::invalid_argument when a perimeter in it is not valid.
+  explicit Model(const ModelRecord&);
+  ~Model();
+  Model(Model&&) noexcept;
+  Model& operator=(Model&&) noexcept;
+
+  /// One set of sensor points, the unit of an update (thesis §2.3). Readings that are no point (coordinates
+  /// not finite, no axis, or beyond 2^48 grid steps) are counted and left out. The changes are valid until
+  /// the next call.
+  const std::vector<Change>& update(std::span<const SensorPoint> set);
+
+  /// At the end of input: tries everything once more until nothing changes (at most 20 rounds). Points may
+  /// follow all the same.
+  const std::vector<Change>& finish();
+
+  const Parameters& parameters() const;
+  Counts counts() const;
+  /// Everything, as plain data.
+  ModelRecord record() const;
+
+  /// Connected components of the neighbour relation, each ascending, in the order of their lowest identity
+  /// (thesis §2.2).
+  std::vector<std::vector<SegmentId>> surfaces() const;
+
+  /// From now on remember which segment each sensor point went to (eight bytes a point).
+  void keep_labels();
+  /// For each point since keep_labels() the segment it is in now; 0 when it expired or was no point.
+  std::vector<SegmentId> labels() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace limpet::model

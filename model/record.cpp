@@ -1,0 +1,130 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/model/record.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <limpet/geometry/predicates.hpp>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+std::vector<RawPointRecord> raw_records(const Segment& s) {
+  std::vector<RawPointRecord> records;
+  for (const RawPoint& r : s.raw) records.push_back({r.at, r.axis, r.returned});
+  return records;
+}
+
+PointSegmentRecord point_record(const Segment& s) {
+  return {s.id.value, s.moments.record(), s.axis_sum, raw_records(s)};
+}
+
+PolygonSegmentRecord polygon_record(const Segment& s) {
+  const PolygonPart& part = *s.polygon;
+  PolygonSegmentRecord r;
+  r.id = s.id.value;
+  r.moments = s.moments.record();
+  r.axis_sum = s.axis_sum;
+  r.chart_origin = part.chart.origin();
+  r.chart_u = part.chart.u();
+  r.chart_v = part.chart.v();
+  r.chart_normal = part.chart.normal();
+  r.height = {part.published.h0, part.published.hx, part.published.hy};
+  r.initial_centroid = part.initial.point;
+  r.initial_normal = part.initial.normal;
+  for (const auto& cycle : part.perimeter.boundary()) {
+    auto& vertices = r.cycles.emplace_back();
+    for (const auto& v : cycle) vertices.push_back({v.at.x, v.at.y, v.edge.value, 0});
+  }
+  r.raw = raw_records(s);
+  return r;
+}
+
+Segment& segment_from(Engine& e, std::uint64_t id, const MomentsRecord& moments,
+                      const Eigen::Vector3d& axis_sum, const std::vector<RawPointRecord>& raw) {
+  const auto slot = static_cast<std::uint32_t>(e.segments.size());
+  e.segments.push_back(std::make_unique<Segment>());
+  Segment& s = *e.segments.back();
+  s.id = {id};
+  s.slot = slot;
+  s.moments = Moments(moments);
+  s.axis_sum = axis_sum;
+  for (const RawPointRecord& r : raw) s.raw.push_back({r.at, r.axis, r.returned, -1});
+  s.last_joined = e.counts.points;
+  e.slot_of[id] = slot;
+  return s;
+}
+
+void polygon_from(Engine& e, const PolygonSegmentRecord& r) {
+  Segment& s = segment_from(e, r.id, r.moments, r.axis_sum, r.raw);
+  s.polygon = std::make_unique<PolygonPart>();
+  PolygonPart& part = *s.polygon;
+  part.chart = geometry::Chart(r.chart_origin, r.chart_u, r.chart_v, r.chart_normal, e.step);
+  part.published.h0 = r.height[0], part.published.hx = r.height[1], part.published.hy = r.height[2];
+  part.initial = {r.initial_centroid, r.initial_normal};
+  std::vector<std::vector<geometry::NewVertex>> cycles;
+  for (const auto& cycle : r.cycles) {
+    auto& vertices = cycles.emplace_back();
+    for (const VertexRecord& v : cycle) vertices.push_back({{v.x, v.y}, {v.edge}, v.partner != 0});
+  }
+  auto perimeter = geometry::Polygon::from_cycles(cycles, e.edge_ids);
+  if (!perimeter)
+    throw std::invalid_argument("the perimeter of segment " + std::to_string(r.id) +
+                                " is not a valid polygon");
+  part.perimeter = std::move(*perimeter);
+  part.perimeter.take_created();
+  part.box = perimeter_box(part);
+  s.fit = fit_to(s.moments, e.step, -part.published.plane(part.chart).normal);
+  s.next_fit = s.moments.count() + 1 + s.moments.count() / 32;
+  update_index(e, s);
+}
+
+}  // namespace
+
+ModelRecord to_record(const Engine& e) {
+  ModelRecord r;
+  r.resolution = e.parameters.resolution;
+  r.angle_rad = e.parameters.angle_rad;
+  r.noise = e.parameters.noise;
+  r.tolerance = e.parameters.tolerance;
+  r.grid_step = e.step;
+  r.arithmetic = geometry::arithmetic();
+  r.rules = e.rules().to_string();
+  r.points = e.counts.points;
+  r.refused = e.counts.refused;
+  r.expired = e.counts.expired;
+  r.sets = e.counts.sets;
+  r.next_segment = e.next_segment;
+  r.next_edge = e.edge_ids.next();
+  for (const auto& s : e.segments) {
+    if (!s) continue;
+    if (s->polygon)
+      r.polygon_segments.push_back(polygon_record(*s));
+    else
+      r.point_segments.push_back(point_record(*s));
+  }
+  const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
+  std::sort(r.point_segments.begin(), r.point_segments.end(), by_id);
+  std::sort(r.polygon_segments.begin(), r.polygon_segments.end(), by_id);
+  return r;
+}
+
+void from_record(Engine& e, const ModelRecord& r) {
+  e.counts.points = r.points;
+  e.counts.refused = r.refused;
+  e.counts.expired = r.expired;
+  e.counts.sets = r.sets;
+  e.next_segment = r.next_segment;
+  e.edge_ids = geometry::EdgeIds(r.next_edge);
+  for (const PointSegmentRecord& p : r.point_segments) {
+    Segment& s = segment_from(e, p.id, p.moments, p.axis_sum, p.raw);
+    s.fit = fit_to(s.moments, e.step, s.axis_sum);
+    e.by_age.emplace_back(s.last_joined, s.id);
+    update_index(e, s);
+  }
+  for (const PolygonSegmentRecord& p : r.polygon_segments) polygon_from(e, p);
+}
+
+}  // namespace limpet::model::internal

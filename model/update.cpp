@@ -1,0 +1,124 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Updating the surface model by a set of sensor points (thesis §2.3).
+#include <cmath>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+constexpr int kMaxMergeRounds = 50;
+constexpr int kMaxFinishRounds = 20;
+constexpr std::int64_t kSmall = 5;  ///< point segments below this may expire
+
+/// The reading on the model's grid, or nothing when it is no point.
+std::optional<RawPoint> on_grid(const Engine& e, const SensorPoint& reading) {
+  RawPoint raw;
+  const double length2 = reading.axis.dot(reading.axis);
+  if (!(length2 > 0) || !std::isfinite(length2)) return std::nullopt;
+  raw.axis = reading.axis / std::sqrt(length2);
+  for (int i = 0; i < 3; ++i) {
+    const double steps = std::floor(reading.position[i] / e.step + 0.5);
+    if (!(std::abs(steps) <= static_cast<double>(kMaxSteps))) return std::nullopt;
+    raw.at[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(steps);
+  }
+  return raw;
+}
+
+/// Step 1, and step 2a for points: each reading becomes a point segment that merges with its best neighbour.
+void insert_readings(Engine& e, std::span<const SensorPoint> set) {
+  for (const SensorPoint& reading : set) {
+    auto raw = on_grid(e, reading);
+    if (e.labels_kept) e.labels.push_back(0);
+    if (!raw) {
+      ++e.counts.refused;
+      continue;
+    }
+    if (e.labels_kept) raw->serial = static_cast<std::int64_t>(e.labels.size()) - 1;
+    ++e.counts.points;
+    insert_point(e, *raw);
+    insert_pending(e);
+  }
+}
+
+/// Steps 2 and 3; whether anything changed.
+bool mergers_and_fissures(Engine& e) {
+  bool any = dissolve_young(e);
+  for (int round = 0; round < kMaxMergeRounds && merge_modified_polygons(e); ++round) any = true;
+  return fill_modified(e) || any;
+}
+
+/// Step 6.
+void clear_flags(Engine& e) {
+  for (const std::uint32_t slot : e.modified)
+    if (e.segments[slot]) e.segments[slot]->modified = false;
+  e.modified.clear();
+}
+
+void expire_outliers(Engine& e) {
+  if (!e.rules().expiry) return;
+  while (!e.by_age.empty() && e.by_age.front().first + e.parameters.outlier_patience < e.counts.points) {
+    const auto [joined, id] = e.by_age.front();
+    e.by_age.pop_front();
+    Segment* s = e.find(id);
+    if (!s || s->polygon || s->last_joined != joined || s->moments.count() >= kSmall) continue;
+    e.counts.expired += s->moments.count();
+    e.changes.push_back({Change::Kind::deleted, s->id, {}, {}, {}});
+    erase_segment(e, *s);
+  }
+}
+
+void release_all_point_segments(Engine& e) {
+  std::vector<SegmentId> ids;
+  for (const auto& s : e.segments)
+    if (s && !s->polygon && s->young()) ids.push_back(s->id);
+  std::sort(ids.begin(), ids.end());
+  for (const SegmentId id : ids) {
+    Segment* s = e.find(id);
+    if (!s) continue;
+    release_points(e, *s, false);
+    insert_pending(e);
+  }
+}
+
+void mark_all(Engine& e) {
+  for (const auto& s : e.segments) {
+    if (!s) continue;
+    mark_modified(e, *s);
+    if (!s->polygon) continue;
+    s->polygon->changed = s->polygon->box;
+    s->polygon->fresh.clear();
+    for (std::uint32_t i = 0; i < s->polygon->perimeter.slot_count(); ++i)
+      if (const geometry::Slot slot{i}; s->polygon->perimeter.alive(slot))
+        s->polygon->fresh.emplace_back(slot, s->polygon->perimeter.node(slot).edge);
+  }
+}
+
+}  // namespace
+
+void update_set(Engine& e, std::span<const SensorPoint> set) {
+  e.changes.clear();
+  insert_readings(e, set);
+  mergers_and_fissures(e);
+  clear_flags(e);
+  expire_outliers(e);
+  ++e.counts.sets;
+}
+
+void finish(Engine& e) {
+  e.changes.clear();
+  if (!e.rules().finish) return;
+  for (const auto& s : e.segments)
+    if (s && s->polygon) refit(e, *s);
+  release_all_point_segments(e);
+  for (int round = 0; round < kMaxFinishRounds; ++round) {
+    mark_all(e);
+    e.refused_pairs.clear();
+    const bool any = mergers_and_fissures(e);
+    clear_flags(e);
+    if (!any) break;
+  }
+}
+
+}  // namespace limpet::model::internal
