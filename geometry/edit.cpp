@@ -6,7 +6,8 @@
 // stays, or another new edge, but in a common vertex, and (2) no vertex that stays lie in the swept region
 // (the even-odd region of removed and new edges). Then the new cycles are simple and disjoint, and around
 // every vertex that stays the inside is where it was, so each cycle that keeps a vertex besides the ends of
-// its chains keeps the inside on its left. Cycles that keep none are oriented explicitly.
+// its chains keeps the inside on its left. Of cycles that keep none it is asked explicitly, in O(n). With the
+// inside on the left of all cycles, and one of them anticlockwise, each of the others is a hole in that one.
 #include <limpet/geometry/judge.hpp>
 #include <limpet/geometry/polygon.hpp>
 #include <limpet/geometry/predicates.hpp>
@@ -14,37 +15,45 @@
 namespace limpet::geometry {
 
 struct Polygon::Difference {
-  std::vector<Slot> removed_edges;
+  std::vector<Slot> removed_edges;  ///< these bear the polygon's stamp
   std::vector<Slot> removed_vertices;
   std::vector<KeyedEdge> new_edges;
   std::vector<Segment2> sweep;
+  std::vector<Slot> starts, ends;  ///< of the chains, sorted
   Box2 box;
-  bool broken = false;  ///< a chain that does not end on its own polygon
+  bool broken = false;  ///< the chains and removed cycles get into each other's way
 
-  void remove_edge(const Polygon& p, Slot s) {
-    removed_edges.push_back(s);
-    sweep.emplace_back(p.at(s), p.end(s));
-  }
   void add_edge(Point2 a, Point2 b, std::uint64_t key_a, std::uint64_t key_b) {
     new_edges.push_back({a, b, key_a, key_b});
     sweep.emplace_back(a, b);
   }
+  bool starts_at(Slot s) const { return std::binary_search(starts.begin(), starts.end(), s); }
+  bool ends_at(Slot s) const { return std::binary_search(ends.begin(), ends.end(), s); }
 };
 
 Polygon::Difference Polygon::difference(const Edit& edit) const {
   Difference d;
-  const auto ends_chain = [&](Slot s) {
-    return std::any_of(edit.chains.begin(), edit.chains.end(), [s](const Chain& c) { return c.to == s; });
+  for (const Chain& chain : edit.chains) d.starts.push_back(chain.from), d.ends.push_back(chain.to);
+  for (auto* slots : {&d.starts, &d.ends}) {
+    std::sort(slots->begin(), slots->end());
+    if (std::adjacent_find(slots->begin(), slots->end()) != slots->end()) return d.broken = true, d;
+  }
+  ++stamp_;
+  const auto remove_edge = [&](Slot s) {
+    d.broken |= node(s).mark == stamp_;
+    node(s).mark = stamp_;
+    d.removed_edges.push_back(s);
+    d.sweep.emplace_back(at(s), end(s));
   };
   std::uint64_t key = nodes_.size();  // keys of new vertices follow the slots
   for (const Chain& chain : edit.chains) {
-    d.remove_edge(*this, chain.from);
-    std::size_t steps = 0;
-    for (Slot s = next(chain.from); !ends_chain(s); s = next(s)) {
-      if (++steps > edge_count_) return d.broken = true, d;
+    remove_edge(chain.from);
+    for (Slot s = next(chain.from); !d.ends_at(s) && !d.broken; s = next(s)) {
+      d.broken |= d.starts_at(s);
       d.removed_vertices.push_back(s);
-      d.remove_edge(*this, s);
+      remove_edge(s);
     }
+    if (d.broken) return d;
     Point2 a = at(chain.from);
     auto key_a = static_cast<std::uint64_t>(chain.from);
     for (const NewVertex& v : chain.via) {
@@ -57,9 +66,10 @@ Polygon::Difference Polygon::difference(const Edit& edit) const {
     Slot s = cycle(id).first;
     for (std::uint32_t i = 0; i < cycle(id).size; ++i, s = next(s)) {
       d.removed_vertices.push_back(s);
-      d.remove_edge(*this, s);
+      remove_edge(s);
     }
   }
+  if (d.broken) return d;
   for (const auto& loop : edit.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::size_t j = (i + 1) % loop.size();
@@ -67,7 +77,7 @@ Polygon::Difference Polygon::difference(const Edit& edit) const {
     }
     key += loop.size();
   }
-  for (const auto& [a, b] : d.sweep) d.box.add(a), d.box.add(b);
+  for (const auto& [p, q] : d.sweep) d.box.add(p), d.box.add(q);
   return d;
 }
 
@@ -84,15 +94,11 @@ Verdict Polygon::judge_new_edges(const Difference& d) const {
   return Verdict::valid;
 }
 
-Verdict Polygon::judge_swept(const Edit& edit, const Difference& d) const {
-  const auto on_chain = [&](Slot s) {
-    return std::any_of(edit.chains.begin(), edit.chains.end(),
-                       [s](const Chain& c) { return c.from == s || c.to == s; });
-  };
+Verdict Polygon::judge_swept(const Difference& d) const {
   const bool swept = any_edge_near(d.box, [&](Slot s) {
-    if (!d.box.contains(at(s)) || on_chain(s)) return false;
     // A vertex stays when its own edge does, or when it begins a removed stretch (then it is on a chain).
-    return node(s).mark != stamp_ && inside_even_odd(d.sweep, at(s));
+    if (node(s).mark == stamp_ || !d.box.contains(at(s)) || d.ends_at(s)) return false;
+    return inside_even_odd(d.sweep, at(s));
   });
   return swept ? Verdict::swept_vertex : Verdict::valid;
 }
@@ -110,47 +116,56 @@ Verdict Polygon::judge_orientation(const Edit& edit, const Difference& d) const 
   for (std::size_t i = 0; i < cycles_.size(); ++i)
     outer += !affected[i] && cycles_[i].size > 0 && !cycles_[i].hole;
 
-  const auto orient = [&outer](const std::vector<Point2>& points) {
+  std::vector<Point2> points;
+  const auto judge_cycle = [&](bool witnessed) {
     if (points.size() < 3) return Verdict::too_few_vertices;
     const int sign = chain_orientation(points);
     outer += sign > 0;
-    return sign == 0 ? Verdict::orientation : Verdict::valid;
+    const bool right = sign != 0 && (witnessed || inside_others(points, d) == (sign < 0));
+    return right ? Verdict::valid : Verdict::orientation;
   };
-  std::vector<Point2> points;
   std::vector<char> seen(edit.chains.size());
   for (std::size_t first = 0; first < edit.chains.size(); ++first) {
     if (seen[first]) continue;
     points.clear();
+    bool witnessed = false;
     for (std::size_t c = first; !seen[c];) {
       seen[c] = 1;
       for (const NewVertex& v : edit.chains[c].via) points.push_back(v.at);
       // Along what stays, from this chain's end to the start of the next one.
       Slot s = edit.chains[c].to;
-      for (bool more = true; more;) {
-        points.push_back(at(s));
-        for (std::size_t k = 0; k < edit.chains.size(); ++k)
-          if (edit.chains[k].from == s) c = k, more = false;
-        if (more) s = next(s);
-        if (points.size() > edge_count_ + d.new_edges.size() + 1) return Verdict::orientation;
-      }
+      std::size_t kept = 1;
+      for (; node(s).mark != stamp_; s = next(s), ++kept) points.push_back(at(s));
+      points.push_back(at(s));
+      witnessed |= kept > 2;
+      c = static_cast<std::size_t>(
+          std::find_if(edit.chains.begin(), edit.chains.end(), [s](const Chain& k) { return k.from == s; }) -
+          edit.chains.begin());
     }
-    if (const Verdict v = orient(points); v != Verdict::valid) return v;
+    if (const Verdict v = judge_cycle(witnessed); v != Verdict::valid) return v;
   }
   for (const auto& loop : edit.loops) {
     points.clear();
     for (const NewVertex& v : loop) points.push_back(v.at);
-    if (const Verdict v = orient(points); v != Verdict::valid) return v;
+    if (const Verdict v = judge_cycle(false); v != Verdict::valid) return v;
   }
   return outer == 1 ? Verdict::valid : Verdict::orientation;
+}
+
+bool Polygon::inside_others(const std::vector<Point2>& cycle, const Difference& d) const {
+  std::vector<Segment2> edges;
+  for (const Node& n : nodes_)
+    if (n.edge && n.mark != stamp_) edges.emplace_back(n.at, at(n.next));
+  for (const KeyedEdge& e : d.new_edges) edges.emplace_back(e.a, e.b);
+  for (std::size_t i = 0; i < cycle.size(); ++i) edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
+  return inside_even_odd(edges, cycle.front());  // the cycle's own edges are there twice
 }
 
 Verdict Polygon::judge(const Edit& edit) const {
   const Difference d = difference(edit);
   if (d.broken) return Verdict::orientation;
-  ++stamp_;
-  for (const Slot s : d.removed_edges) node(s).mark = stamp_;
   if (const Verdict v = judge_new_edges(d); v != Verdict::valid) return v;
-  if (const Verdict v = judge_swept(edit, d); v != Verdict::valid) return v;
+  if (const Verdict v = judge_swept(d); v != Verdict::valid) return v;
   return judge_orientation(edit, d);
 }
 

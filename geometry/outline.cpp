@@ -44,7 +44,7 @@ using Vertex = Arrangement::Vertex_const_handle;
 using Face = Arrangement::Face_const_handle;
 
 struct FaceState {
-  bool seen = false, in_window = false, in_a = false, in_b = false;
+  bool in_window = false, in_a = false, in_b = false;
 };
 
 class UnionOutline {
@@ -65,14 +65,11 @@ class UnionOutline {
   }
 
   bool classify(const std::vector<int>& corner_sides) {
-    spread(arrangement_.unbounded_face(), FaceState{true, false, false, false});
-    // a's side is known so far up to one flip for all faces of the window (outside it means nothing).
     for (std::size_t i = 0; i < 4; ++i) {
       if (corner_sides[i] == 0) continue;
       const auto f = window_face_at(corners(window_)[i]);
       if (!f) continue;
-      if (state_.at(&**f).in_a != (corner_sides[i] > 0))
-        for (auto& [face, state] : state_) state.in_a = !state.in_a;
+      spread(*f, FaceState{true, corner_sides[i] > 0, false});
       return true;
     }
     return false;
@@ -94,8 +91,9 @@ class UnionOutline {
   }
 
  private:
+  /// Over all faces of the window, and no further: outside it a's edges are cut off, so that the sides there
+  /// would depend on the way taken.
   void spread(Face from, FaceState start) {
-    // Faces touch across halfedges only; a flood over all components of their boundaries.
     std::vector<Face> stack{from};
     state_[&*from] = start;
     while (!stack.empty()) {
@@ -105,16 +103,16 @@ class UnionOutline {
         auto h = begin;
         do {
           const Face g = h->twin()->face();
-          if (!state_.count(&*g)) {
-            FaceState s = state_.at(&*f);
-            for (const Label& l : h->curve().data()) {
-              s.in_window ^= l.owner == Owner::window;
-              s.in_a ^= l.owner == Owner::a;
-              s.in_b ^= l.owner == Owner::b;
-            }
-            state_[&*g] = s;
-            stack.push_back(g);
+          if (state_.count(&*g)) continue;
+          FaceState s = state_.at(&*f);
+          for (const Label& l : h->curve().data()) {
+            s.in_window ^= l.owner == Owner::window;
+            s.in_a ^= l.owner == Owner::a;
+            s.in_b ^= l.owner == Owner::b;
           }
+          if (!s.in_window) continue;
+          state_[&*g] = s;
+          stack.push_back(g);
         } while (++h != begin);
       };
       for (auto ccb = f->outer_ccbs_begin(); ccb != f->outer_ccbs_end(); ++ccb) across(*ccb);
@@ -122,14 +120,23 @@ class UnionOutline {
     }
   }
 
+  FaceState state(Face f) const {
+    const auto found = state_.find(&*f);
+    return found == state_.end() ? FaceState{} : found->second;
+  }
+
   std::optional<Face> window_face_at(Point2 corner) const {
+    // The window's border is anticlockwise through its corners: its halfedge that leaves this corner has the
+    // window on its left.
     const Traits::Point_2 p(corner.x, corner.y);
     for (auto v = arrangement_.vertices_begin(); v != arrangement_.vertices_end(); ++v) {
       if (v->is_isolated() || v->point() != p) continue;
       auto h = v->incident_halfedges();
       const auto begin = h;
       do {
-        if (state_.at(&*h->face()).in_window) return h->face();
+        const Halfedge out = h->twin();
+        for (const Label& l : out->curve().data())
+          if (l.owner == Owner::window && corners(window_)[l.index] == corner) return out->face();
       } while (++h != begin);
     }
     return std::nullopt;
@@ -141,7 +148,7 @@ class UnionOutline {
   }
 
   bool on_boundary(Halfedge h) const {
-    const FaceState &left = state_.at(&*h->face()), &right = state_.at(&*h->twin()->face());
+    const FaceState left = state(h->face()), right = state(h->twin()->face());
     if (left.in_window && right.in_window) return (left.in_a || left.in_b) && !(right.in_a || right.in_b);
     if (left.in_window != right.in_window) return false;  // the window's own border
     for (const Label& l : h->curve().data())

@@ -85,7 +85,10 @@ Polygon::Side Polygon::locate(Point2 p) const {
       if (box_of(a, b).contains(p)) return Side::boundary;
       continue;  // p and the reference are then not on opposite sides
     }
-    if (side_p == orientation(a, b, r)) continue;
+    // A reference beyond 2^26 steps may lie on an edge; it then counts as a little further in +x, as in flip().
+    int side_r = orientation(a, b, r);
+    if (side_r == 0) side_r = a.y < b.y ? -1 : 1;
+    if (side_p == side_r) continue;
     if ((orientation(p, r, a) >= 0) != (orientation(p, r, b) >= 0)) inside ^= true;
   }
   return inside ? Side::inside : Side::outside;

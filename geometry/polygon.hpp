@@ -94,7 +94,7 @@ class Polygon {
   /// Where p lies. Exact in the exact build.
   Side locate(Point2 p) const;
 
-  /// Calls f(Slot) for every edge whose box meets `box`; an edge may come more than once. f returns true to
+  /// Calls f(Slot) for every edge that touches `box` and maybe others near it; an edge may come more than once. f returns true to
   /// stop.
   template <class F>
   bool any_edge_near(const Box2& box, F&& f) const {
@@ -127,8 +127,10 @@ class Polygon {
   struct Difference;
   Difference difference(const Edit&) const;
   Verdict judge_new_edges(const Difference&) const;
-  Verdict judge_swept(const Edit&, const Difference&) const;
+  Verdict judge_swept(const Difference&) const;
   Verdict judge_orientation(const Edit&, const Difference&) const;
+  /// Does this cycle of the candidate lie inside an odd number of its other cycles?
+  bool inside_others(const std::vector<Point2>& cycle, const Difference&) const;
 
   std::vector<Node> nodes_;
   std::vector<Cycle> cycles_;

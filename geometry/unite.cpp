@@ -156,8 +156,9 @@ std::vector<SourceEdge> window_edges_of(const Polygon& a, const Box2& window) {
 
 }  // namespace
 
-bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
+bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds& ids, std::size_t* attempts) {
   for (std::size_t attempt = 0; attempt < kMoves.size(); ++attempt) {
+    if (attempts) *attempts = attempt + 1;
     const auto edges_b = edges_of(b, attempt);
     Box2 box;
     for (const SourceEdge& e : edges_b) box.add(e.a);

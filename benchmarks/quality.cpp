@@ -1,0 +1,247 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// How good are the models? Simulated scans of known shapes are modelled and judged by the truth.
+//
+//     limpet_quality --shapes cube,L --points 10000,100000 --noise 0,0.002,0.005 --orders raster,shuffled
+//                    --outliers 0,0.01 --seeds 10 [--rules limpet] [--csv FILE] [--audit-every N] [--keep DIR]
+//
+// λ = max(feature/20, 2.2·√(area/points)); a case counts when λ ≤ feature/5 and noise ≤ λ/10. One line a run in
+// the CSV, one line a case on standard output.
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+
+#include <limpet/audit/document.hpp>
+#include <limpet/audit/laws.hpp>
+#include <limpet/io/native.hpp>
+#include <limpet/model/model.hpp>
+#include <limpet/simulation/judgement.hpp>
+#include <limpet/simulation/scan.hpp>
+#include <limpet/simulation/scene.hpp>
+#include <limpet/simulation/shapes.hpp>
+
+namespace {
+
+using namespace limpet;
+
+struct Arguments {
+  std::vector<std::string> shapes{"cube"}, orders{"shuffled"};
+  std::vector<std::int64_t> points{10000};
+  std::vector<double> noise{0}, outliers{0};
+  int seeds = 1, first_seed = 1;
+  std::size_t set_size = 26;
+  std::int64_t audit_every = 0;
+  double resolution = 0, move = 0, scale = 1;
+  std::string rules = "limpet", csv, keep;
+};
+
+struct Case {
+  std::string shape, order;
+  std::int64_t points;
+  double noise_ratio, outliers;
+  double noise, resolution, feature, area;
+  std::string skipped;  ///< why, or empty
+};
+
+struct Run {
+  bool right = false;  ///< as many polygons as faces, with their holes
+  int counted = 0, represented = 0, extra = 0, wrong_holes = 0;
+  double worst_angle_deg = 0, overshoot = 0, shortfall = 0;  ///< in λ, the two last
+  int bad_angles = 0;
+  double loose = 0, outliers_kept_out = 1, seconds = 0;
+  std::size_t points = 0, violations = 0, polygons = 0;
+  std::string faults;
+};
+
+std::size_t count_violations(const model::ModelRecord& record, std::string& what) {
+  std::stringstream text;
+  io::write_native(text, record);
+  const auto violations = audit::judge(audit::read_document(text));
+  if (!violations.empty()) what += violations[0].law + " " + violations[0].where + " " + violations[0].what + "; ";
+  return violations.size();
+}
+
+/// "0.2 % of the object's size": its largest extent, or for a field of many boxes that of one of them.
+double size_of(const simulation::Mesh& mesh, const std::string& shape, double feature) {
+  if (shape.starts_with("city") || shape.starts_with("room")) return feature;
+  Eigen::AlignedBox3d box;
+  for (const auto& v : mesh.vertices) box.extend(v);
+  return box.sizes().maxCoeff();
+}
+
+Case make_case(const Arguments& args, const simulation::Scene& scene, const std::string& shape, std::int64_t points,
+               double noise_ratio, const std::string& order, double outliers) {
+  Case c{shape, order, points, noise_ratio, outliers, 0, 0, scene.feature, 0, {}};
+  for (int f = 0; f < scene.mesh.face_count; ++f) c.area += simulation::face_area(scene.mesh, f);
+  c.noise = noise_ratio * size_of(scene.mesh, shape, scene.feature);
+  c.resolution = args.resolution > 0 ? args.resolution
+                                     : std::max(c.feature / 20, 2.2 * std::sqrt(c.area / static_cast<double>(points)));
+  if (args.resolution > 0) return c;
+  if (c.resolution > c.feature / 5) c.skipped = "resolution above feature/5";
+  else if (c.noise > c.resolution / 10) c.skipped = "noise above resolution/10";
+  return c;
+}
+
+Run run(const Arguments& args, const simulation::Scene& scene, const Case& c, int seed) {
+  simulation::ScanOptions options;
+  options.points = c.points;
+  options.order = c.order == "raster"   ? simulation::ScanOptions::Order::raster
+                  : c.order == "sampled" ? simulation::ScanOptions::Order::sampled
+                                         : simulation::ScanOptions::Order::shuffled;
+  options.noise = c.noise;
+  options.outliers = c.outliers;
+  options.seed = static_cast<std::uint64_t>(seed);
+  options.viewpoints = scene.viewpoints;
+  auto labelled = simulation::scan(scene.mesh, options);
+  const Eigen::Vector3d shift = args.move * Eigen::Vector3d(1e6, -1e6, 1e3);
+  std::vector<model::SensorPoint> points;
+  for (const auto& p : labelled) points.push_back({args.scale * p.point.position + shift, p.point.axis});
+
+  model::Parameters parameters;
+  parameters.resolution = args.scale * c.resolution;
+  parameters.noise = args.scale * c.noise;
+  parameters.rules = model::Rules::parse(args.rules);
+  model::Model model(parameters);
+  model.keep_labels();
+  Run r;
+  const auto start = std::chrono::steady_clock::now();
+  std::int64_t sets = 0;
+  for (std::size_t i = 0; i < points.size(); i += args.set_size) {
+    model.update(std::span(points).subspan(i, std::min(args.set_size, points.size() - i)));
+    if (args.audit_every > 0 && ++sets % args.audit_every == 0)
+      r.violations += count_violations(model.record(), r.faults);
+  }
+  model.finish();
+  r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto record = model.record();
+  r.violations += count_violations(record, r.faults);
+  if (!args.keep.empty()) {
+    std::ofstream file(args.keep + "/" + c.shape + "_" + std::to_string(c.points) + "_" + std::to_string(c.noise_ratio) +
+                       "_" + c.order + "_" + std::to_string(c.outliers) + "_" + std::to_string(seed) + ".limpet");
+    io::write_native(file, record);
+  }
+
+  auto faces = simulation::planar_faces(record);
+  for (auto& f : faces)
+    for (auto& cycle : f.cycles)
+      for (auto& v : cycle) v = (v - shift) / args.scale;
+  const auto report = simulation::judge_faces(faces, scene.mesh, labelled, {c.resolution, c.noise});
+  r.points = points.size();
+  r.polygons = faces.size();
+  r.counted = report.counted;
+  r.represented = report.represented - report.split;
+  r.extra = report.extra;
+  r.wrong_holes = report.wrong_holes;
+  r.right = r.represented == r.counted && r.extra == 0 && r.wrong_holes == 0;
+  r.worst_angle_deg = report.max_angle * 180 / M_PI;
+  for (const auto& p : report.polygons) {
+    const bool counts = p.face >= 0 && report.faces[static_cast<std::size_t>(p.face)].counts;
+    if (!counts || p.extra) continue;
+    if (p.angle > std::max(3 * p.standard_error, 0.25 * M_PI / 180)) ++r.bad_angles;
+  }
+  r.overshoot = report.max_overshoot / c.resolution;
+  r.shortfall = report.max_shortfall / c.resolution;
+  const auto labels = model.labels();
+  std::map<std::uint64_t, bool> is_polygon;
+  for (const auto& p : record.polygon_segments) is_polygon[p.id] = true;
+  std::int64_t on_faces = 0, loose = 0, outliers = 0, kept_out = 0;
+  for (std::size_t i = 0; i < labelled.size(); ++i) {
+    const bool in_polygon = is_polygon.count(labels[i].value) > 0;
+    if (labelled[i].face < 0) ++outliers, kept_out += !in_polygon;
+    else if (report.faces[static_cast<std::size_t>(labelled[i].face)].counts) ++on_faces, loose += !in_polygon;
+  }
+  r.loose = on_faces ? static_cast<double>(loose) / static_cast<double>(on_faces) : 0;
+  r.outliers_kept_out = outliers ? static_cast<double>(kept_out) / static_cast<double>(outliers) : 1;
+  if (!r.right)
+    for (const auto& fault : simulation::faults(report, faces)) r.faults += fault + "; ";
+  return r;
+}
+
+void report_case(const Case& c, const std::vector<Run>& runs) {
+  if (!c.skipped.empty()) {
+    std::printf("%-10s %8ld noise %.3f %-8s outliers %.2f  skipped: %s\n", c.shape.c_str(), c.points, c.noise_ratio,
+                c.order.c_str(), c.outliers, c.skipped.c_str());
+    return;
+  }
+  Run worst;
+  int right = 0, counted = 0, represented = 0, extra = 0, bad_angles = 0;
+  double seconds = 0, points = 0;
+  for (const Run& r : runs) {
+    right += r.right, counted += r.counted, represented += r.represented, extra += r.extra, bad_angles += r.bad_angles;
+    seconds += r.seconds, points += static_cast<double>(r.points);
+    worst.worst_angle_deg = std::max(worst.worst_angle_deg, r.worst_angle_deg);
+    worst.overshoot = std::max(worst.overshoot, r.overshoot);
+    worst.shortfall = std::max(worst.shortfall, r.shortfall);
+    worst.loose = std::max(worst.loose, r.loose);
+    worst.outliers_kept_out = std::min(worst.outliers_kept_out, r.outliers_kept_out);
+    worst.violations += r.violations;
+  }
+  std::printf(
+      "%-10s %8ld noise %.3f %-8s outliers %.2f  right %d/%zu  faces %d/%d extra %d  angle %.2f° (bad %d)  "
+      "outside %.2fλ inside %.2fλ  loose %.2f%%  kept out %.1f%%  violations %zu  %.2f µs/point\n",
+      c.shape.c_str(), c.points, c.noise_ratio, c.order.c_str(), c.outliers, right, runs.size(), represented, counted,
+      extra, worst.worst_angle_deg, bad_angles, worst.overshoot, worst.shortfall, 100 * worst.loose,
+      100 * worst.outliers_kept_out, worst.violations, 1e6 * seconds / points);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments args;
+  CLI::App app{"Models simulated scans of known shapes and judges them by the truth"};
+  app.add_option("--shapes", args.shapes)->delimiter(',');
+  app.add_option("--points", args.points)->delimiter(',');
+  app.add_option("--noise", args.noise, "as a fraction of the object's size")->delimiter(',');
+  app.add_option("--orders", args.orders)->delimiter(',');
+  app.add_option("--outliers", args.outliers)->delimiter(',');
+  app.add_option("--seeds", args.seeds);
+  app.add_option("--first-seed", args.first_seed);
+  app.add_option("--set-size", args.set_size);
+  app.add_option("--rules", args.rules);
+  app.add_option("--csv", args.csv);
+  app.add_option("--keep", args.keep, "folder for the models");
+  app.add_option("--audit-every", args.audit_every, "the oracle after every Nth set (and always at the end)");
+  app.add_option("--resolution", args.resolution, "instead of the rule above; all cases then count");
+  app.add_option("--move", args.move, "by this many times (10^6, -10^6, 10^3)");
+  app.add_option("--scale", args.scale);
+  CLI11_PARSE(app, argc, argv);
+
+  std::ofstream csv;
+  if (!args.csv.empty()) {
+    csv.open(args.csv);
+    csv << "shape,points,noise,order,outliers,seed,right,counted,represented,extra,wrong_holes,angle_deg,bad_angles,"
+           "overshoot,shortfall,loose,kept_out,violations,seconds,faults\n";
+  }
+  int all = 0, right = 0;
+  for (const auto& shape : args.shapes) {
+    const auto scene = simulation::make_scene(shape);
+    for (const auto points : args.points)
+      for (const double noise : args.noise)
+        for (const auto& order : args.orders)
+          for (const double outliers : args.outliers) {
+            const Case c = make_case(args, scene, shape, points, noise, order, outliers);
+            std::vector<Run> runs;
+            for (int seed = args.first_seed; c.skipped.empty() && seed < args.first_seed + args.seeds; ++seed) {
+              runs.push_back(run(args, scene, c, seed));
+              const Run& r = runs.back();
+              ++all, right += r.right;
+              if (!r.right || r.violations) std::printf("  seed %d: %s\n", seed, r.faults.c_str());
+              csv << shape << ',' << points << ',' << noise << ',' << order << ',' << outliers << ',' << seed << ','
+                  << r.right << ',' << r.counted << ',' << r.represented << ',' << r.extra << ',' << r.wrong_holes << ','
+                  << r.worst_angle_deg << ',' << r.bad_angles << ',' << r.overshoot << ',' << r.shortfall << ','
+                  << r.loose << ',' << r.outliers_kept_out << ',' << r.violations << ',' << r.seconds << ",\"" << r.faults
+                  << "\"\n";
+            }
+            report_case(c, runs);
+          }
+  }
+  std::printf("right %d of %d\n", right, all);
+  return 0;
+}
