@@ -10,6 +10,9 @@ namespace limpet::simulation {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+/// Rays tried in one round of looking for a pitch.
+constexpr double kMaxRays = 4e6;
+
 Raster::Raster(const Mesh& mesh, const std::vector<Vector3d>& viewpoints) : caster_(mesh) {
   const Bounds bounds = bounds_of(mesh);
   for (const Vector3d& viewpoint : viewpoints) {
@@ -97,7 +100,8 @@ double Raster::pitch_for(std::int64_t points) const {
       best = pitch;
       best_error = error;
     }
-    pitch *= hits > 0 ? std::clamp(std::sqrt(hits / wanted), 0.2, 5.0) : 0.2;
+    pitch *= std::clamp(std::sqrt(hits / wanted), 0.25, 4.0);
+    if (area / (pitch * pitch) > kMaxRays) break;  // hardly anything of the surface, or nothing, is seen
   }
   if (best_error == std::numeric_limits<double>::max()) throw MeshError("no viewpoint sees the surface");
   return best * std::sqrt(wanted / static_cast<double>(points));
