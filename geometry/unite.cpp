@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <limpet/geometry/fissure.hpp>
+#include <limpet/geometry/judge.hpp>
 #include <limpet/geometry/predicates.hpp>
 
 #include "outline_internal.hpp"
@@ -16,8 +17,12 @@ using internal::Outline;
 using internal::OutlinePiece;
 using internal::SourceEdge;
 
-/// Moves of b's vertices, in grid steps, tried in this order: 32 steps are λ/128.
+/// Moves of b's vertices, in grid steps, tried in this order: 32 steps are λ/128 to λ/64.
 constexpr std::array kMoves = {0, 2, 6, 16, 32};
+
+int reach_of(std::size_t attempt, double gap) {
+  return std::min(kMoves[attempt], std::max(2, static_cast<int>(gap / 64)));
+}
 
 /// A whole number from -reach to reach that depends on the vertex and the attempt alone.
 double move(std::uint64_t vertex, std::uint64_t attempt, int axis, int reach) {
@@ -27,18 +32,31 @@ double move(std::uint64_t vertex, std::uint64_t attempt, int axis, int reach) {
   return static_cast<double>(static_cast<int>(x % static_cast<std::uint64_t>(2 * reach + 1)) - reach);
 }
 
-std::vector<SourceEdge> edges_of(const Polygon& b, std::size_t attempt) {
-  const int reach = kMoves[attempt];
-  const auto moved = [&](Slot s) {
-    const Point2 p = b.at(s);
-    const std::uint64_t v = b.node(s).edge.value;
-    return reach == 0 ? p : Point2{p.x + move(v, attempt, 0, reach), p.y + move(v, attempt, 1, reach)};
-  };
+int orientation_of(const std::vector<NewVertex>& cycle) {
+  std::vector<Point2> points;
+  for (const NewVertex& v : cycle) points.push_back(v.at);
+  return chain_orientation(points);
+}
+
+/// b's edges, moved; none when b would not be a valid polygon any more.
+std::vector<SourceEdge> edges_of(const Polygon& b, std::size_t attempt, double gap) {
+  const int reach = reach_of(attempt, gap);
+  std::vector<std::vector<NewVertex>> cycles;
   std::vector<SourceEdge> edges;
-  for (std::uint32_t i = 0; i < b.slot_count(); ++i) {
-    const Slot s{i};
-    if (b.alive(s)) edges.push_back({moved(s), moved(b.next(s)), s});
+  for (const auto& cycle : b.cycles()) {
+    if (cycle.size == 0) continue;
+    auto& moved = cycles.emplace_back(b.vertices(cycle));
+    if (reach > 0)
+      for (NewVertex& v : moved)
+        v.at = v.at + Point2{move(v.edge.value, attempt, 0, reach), move(v.edge.value, attempt, 1, reach)};
+    Slot s = cycle.first;
+    for (std::size_t i = 0; i < moved.size(); ++i, s = b.next(s))
+      edges.push_back({moved[i].at, moved[(i + 1) % moved.size()].at, s});
   }
+  std::stable_sort(cycles.begin(), cycles.end(), [](const auto& c, const auto& d) {
+    return orientation_of(c) > orientation_of(d);
+  });
+  if (reach > 0 && judge_cycles(cycles) != Verdict::valid) edges.clear();
   return edges;
 }
 
@@ -159,7 +177,8 @@ std::vector<SourceEdge> window_edges_of(const Polygon& a, const Box2& window) {
 bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds& ids, std::size_t* attempts) {
   for (std::size_t attempt = 0; attempt < kMoves.size(); ++attempt) {
     if (attempts) *attempts = attempt + 1;
-    const auto edges_b = edges_of(b, attempt);
+    const auto edges_b = edges_of(b, attempt, gap);
+    if (edges_b.empty()) continue;
     Box2 box;
     for (const SourceEdge& e : edges_b) box.add(e.a);
     // Half steps off the grid: no vertex lies on the window's border.
