@@ -192,7 +192,7 @@ class UnionOutline {
       if (!on_boundary(next)) {  // an end outside the window
         const auto& q = h->target()->point();
         for (const SourceEdge& e : a_)
-          if (e.slot == p.edge_a && q == Traits::Point_2(e.b.x, e.b.y)) outline.end = e.slot;
+          if (e.slot == p.edge_a && q == Traits::Point_2(e.b.x, e.b.y)) outline.end = e.next;
         return outline;
       }
       if (done_.count(&*next)) break;

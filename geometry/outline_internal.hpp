@@ -11,6 +11,7 @@ namespace limpet::geometry::internal {
 struct SourceEdge {
   Point2 a, b;
   Slot slot = kNoSlot;  ///< in its polygon
+  Slot next = kNoSlot;  ///< the vertex at its end
 };
 
 /// A piece of the union's boundary: from `at` (rounded) along one source edge.

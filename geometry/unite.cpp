@@ -51,7 +51,7 @@ std::vector<SourceEdge> edges_of(const Polygon& b, std::size_t attempt, double g
         v.at = v.at + Point2{move(v.edge.value, attempt, 0, reach), move(v.edge.value, attempt, 1, reach)};
     Slot s = cycle.first;
     for (std::size_t i = 0; i < moved.size(); ++i, s = b.next(s))
-      edges.push_back({moved[i].at, moved[(i + 1) % moved.size()].at, s});
+      edges.push_back({moved[i].at, moved[(i + 1) % moved.size()].at, s, b.next(s)});
   }
   std::stable_sort(cycles.begin(), cycles.end(), [](const auto& c, const auto& d) {
     return orientation_of(c) > orientation_of(d);
@@ -168,7 +168,7 @@ std::vector<SourceEdge> window_edges_of(const Polygon& a, const Box2& window) {
   std::sort(slots.begin(), slots.end());
   slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
   std::vector<SourceEdge> edges;
-  for (const Slot s : slots) edges.push_back({a.at(s), a.end(s), s});
+  for (const Slot s : slots) edges.push_back({a.at(s), a.end(s), s, a.next(s)});
   return edges;
 }
 
