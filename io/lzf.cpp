@@ -14,9 +14,9 @@ std::vector<char> unpack_lzf(std::string_view packed, std::size_t limit) {
   while (left() > 0 && bytes.size() < limit) {
     const std::size_t control = byte();
     if (control < 32) {  // a literal run of 1 to 32 bytes
-      const std::size_t run = control + 1;
-      if (run > left() || bytes.size() + run > limit) return bytes;
+      const std::size_t run = std::min({control + 1, left(), limit - bytes.size()});
       bytes.insert(bytes.end(), packed.begin() + at, packed.begin() + at + run);
+      if (run < control + 1) return bytes;
       at += run;
       continue;
     }

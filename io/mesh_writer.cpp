@@ -99,8 +99,10 @@ void append_body(std::string& text, const Mesh& mesh) {
   }
 }
 
+/// COFF, as OpenMesh and CGAL call a file with coloured faces: OpenMesh reads colours after "OFF" as further
+/// faces.
 std::string off_text(const Mesh& mesh) {
-  std::string text = "OFF\n";
+  std::string text = "COFF\n";
   append_count(text, mesh.n_vertices());
   append_count(text += ' ', mesh.n_faces());
   append_count(text += ' ', mesh.n_edges());

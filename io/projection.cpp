@@ -31,7 +31,7 @@ Color shade(const Color& color, const Eigen::Vector3d& normal) {
   static const Eigen::Vector3d kLight = Eigen::Vector3d(-0.40, -0.62, -0.68).normalized();
   const bool back = normal.z() > 0;
   const double lambert = std::max(0.0, (back ? -normal : normal).dot(kLight));
-  const double light = back ? 0.62 + 0.22 * lambert : 0.58 + 0.46 * lambert;
+  const double light = back ? 0.72 + 0.20 * lambert : 0.76 + 0.32 * lambert;
   Color shaded;
   for (int i = 0; i < 3; ++i) {
     const double base = back ? 0.25 * color[i] + 0.75 * kBackSide[i] : color[i];

@@ -1,0 +1,186 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limits>
+#include <limpet/io/native.hpp>
+#include <sstream>
+
+#include "files.hpp"
+#include "models.hpp"
+
+namespace limpet::io::testing {
+namespace {
+
+class NativeTest : public FileTest {};
+
+std::string text_of(const model::ModelRecord& model) {
+  std::ostringstream stream;
+  write_native(stream, model);
+  return stream.str();
+}
+
+model::ModelRecord model_of(const std::string& text) {
+  std::istringstream stream(text);
+  return read_native(stream, "m.limpet");
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    model_of(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A model with something of everything, and numbers that are hard to keep.
+model::ModelRecord rich_model() {
+  model::ModelRecord model;
+  model.resolution = 0.1;
+  model.angle_rad = 0.17453292519943295;
+  model.noise = 5e-324;
+  model.tolerance = std::numeric_limits<double>::max();
+  model.grid_step = 1.0 / 4096;
+  model.arithmetic = "float-grid";
+  model.rules = "noise,holes";
+  model.points = std::numeric_limits<std::int64_t>::max();
+  model.refused = 3;
+  model.expired = 2;
+  model.sets = 1;
+  model.next_segment = std::numeric_limits<std::uint64_t>::max();
+  model.next_edge = 9;
+  model::PointSegmentRecord& point = model.point_segments.emplace_back();
+  point.id = 1;
+  point.moments.count = 2;
+  point.moments.sum = {-1, 0, model::Int128{1} << 100};
+  point.moments.product = {model::Int128{1} << 127, 2, -3, 4, -5, ~(model::Int128{1} << 127)};
+  point.axis_sum = Eigen::Vector3d(-0.0, 1.0 / 3, 1e300);
+  point.raw = {{{-5, 6, std::int64_t{1} << 48}, {0.6, 0, -0.8}, 4}, {{0, 0, 0}, {0, 0, 1}, 0}};
+  model::PolygonSegmentRecord& polygon = model.polygon_segments.emplace_back();
+  polygon.id = 7;
+  polygon.moments.count = 64;
+  polygon.chart_origin = Eigen::Vector3d(1e6, -1e-9, 0.3);
+  polygon.height = {0.1, -0.2, 0.3};
+  polygon.initial_centroid = Eigen::Vector3d(1, 2, 3);
+  polygon.cycles = {{{0, 0, 1, 0}, {4096.5, 0, 2, 8}, {0, 1.0 / 3, 3, 0}},
+                    {{1, 1, 4, 0}, {1, 2, 5, 0}, {2, 1, 6, 0}}};
+  polygon.raw = {{{1, 2, 3}, {0, 1, 0}, 1}};
+  return model;
+}
+
+TEST_F(NativeTest, TheFileIsAsDocumented) {
+  model::ModelRecord model;
+  model.resolution = 0.05;
+  model.angle_rad = 0.25;
+  model.noise = 0.001;
+  model.tolerance = 0.01;
+  model.grid_step = 0.0009765625;
+  model.arithmetic = "exact";
+  model.rules = "thesis";
+  model.points = 12;
+  model.next_segment = 3;
+  model.next_edge = 4;
+  model.point_segments.push_back(
+      {1, {1, {1, 2, 3}, {1, 2, 3, 4, 6, 9}}, {0, 0, 1}, {{{1, 2, 3}, {0, 0, 1}, 0}}});
+  model::PolygonSegmentRecord& polygon = model.polygon_segments.emplace_back();
+  polygon.id = 2;
+  polygon.cycles = {{{0, 0, 1, 0}, {8, 0, 2, 0}, {0, 8, 3, 0}}};
+  EXPECT_EQ(text_of(model),
+            "limpet 1\nresolution 0.05\nangle 0.25\nnoise 0.001\ntolerance 0.01\ngrid 0.0009765625\n"
+            "arithmetic exact\nrules thesis\ncounts 12 0 0 0\nnext 3 4\nsegments 1 1\n"
+            "point 1 1 1 2 3 1 2 3 4 6 9 0 0 1\nraw 1\n1 2 3 0 0 1 0\n"
+            "polygon 2 0 0 0 0 0 0 0 0 0 0 0 0 0\nchart 0 0 0 1 0 0 0 1 0 0 0 1\nheight 0 0 0\n"
+            "initial 0 0 0 0 0 1\ncycles 1\ncycle 3\n0 0 1 0\n8 0 2 0\n0 8 3 0\nraw 0\nend\n");
+}
+
+TEST_F(NativeTest, RoundTripIsByteIdentical) {
+  for (const model::ModelRecord& model : {rich_model(), cube(), plate(), ModelMaker().make()}) {
+    const std::string text = text_of(model);
+    EXPECT_EQ(text_of(model_of(text)), text);
+  }
+}
+
+TEST_F(NativeTest, EveryFieldComesBack) {
+  const model::ModelRecord in = rich_model(), out = model_of(text_of(in));
+  EXPECT_EQ(out.noise, in.noise);
+  EXPECT_EQ(out.tolerance, in.tolerance);
+  EXPECT_EQ(out.rules, in.rules);
+  EXPECT_EQ(out.points, in.points);
+  EXPECT_EQ(out.next_segment, in.next_segment);
+  ASSERT_EQ(out.point_segments.size(), 1u);
+  EXPECT_TRUE(out.point_segments[0].moments.product == in.point_segments[0].moments.product);
+  EXPECT_TRUE(std::signbit(out.point_segments[0].axis_sum.x()));
+  EXPECT_EQ(out.point_segments[0].raw[0].at, in.point_segments[0].raw[0].at);
+  EXPECT_EQ(out.point_segments[0].raw[0].returned, 4);
+  ASSERT_EQ(out.polygon_segments.size(), 1u);
+  EXPECT_EQ(out.polygon_segments[0].chart_origin, in.polygon_segments[0].chart_origin);
+  EXPECT_EQ(out.polygon_segments[0].height, in.polygon_segments[0].height);
+  ASSERT_EQ(out.polygon_segments[0].cycles.size(), 2u);
+  EXPECT_EQ(out.polygon_segments[0].cycles[0][1].x, 4096.5);
+  EXPECT_EQ(out.polygon_segments[0].cycles[0][1].partner, 8u);
+}
+
+TEST_F(NativeTest, CommentsAreReadOver) {
+  std::string text = text_of(cube());
+  text.insert(text.find("polygon"), "# a note\n#\n");
+  EXPECT_EQ(text_of(model_of("# first\n" + text)), text_of(cube()));
+}
+
+TEST_F(NativeTest, EveryTruncationIsRefused) {
+  const std::string text = text_of(rich_model());
+  for (std::size_t size = 0; size < text.size(); ++size) {
+    EXPECT_NE(error_of(text.substr(0, size)), "") << "cut to " << size << " bytes";
+  }
+}
+
+TEST_F(NativeTest, DamageIsNamedWithItsLine) {
+  const std::string text = text_of(cube());
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string bytes = text;
+    return error_of(bytes.replace(bytes.find(from), from.size(), to));
+  };
+  const auto expect = [](const std::string& error, const std::string& says) {
+    EXPECT_NE(error.find(says), std::string::npos) << "'" << error << "' does not say '" << says << "'";
+  };
+  expect(error_of(""), "m.limpet: the file is empty");
+  expect(changed("limpet 1", "limpet 2"), "line 1: version '2'");
+  expect(changed("limpet 1", "OFF"), "line 1: expected 'limpet', found 'OFF'");
+  expect(changed("resolution 0.0625", "resolution 0,0625"), "line 2: '0,0625' is not a number");
+  expect(changed("resolution 0.0625", "resolution  0.0625"), "line 2: '' is not a number");
+  expect(changed("resolution 0.0625", "resolution inf"), "line 2: 'inf' is not a finite number");
+  expect(changed("grid 0.0009765625", "grid 0.001"), "line 6: the grid step is not a power of two");
+  expect(changed("grid 0.0009765625", "grid -1"), "line 6: the grid step is not a power of two");
+  expect(changed("arithmetic exact", "arithmetic guessed"), "line 7: the arithmetic 'guessed'");
+  expect(changed("counts 600 0 0 0", "counts 600 0 0"), "line 9: a field is missing");
+  expect(changed("counts 600 0 0 0", "counts 600 0 0 0 0"), "line 9: more fields");
+  expect(changed("counts 600", "counts -600"), "line 9: a count is negative");
+  expect(changed("next 7", "next 18446744073709551616"),
+         "line 10: '18446744073709551616' is not a whole number");
+  expect(changed("segments 0 6", "segments 0 7"), "expected 'polygon', found 'end'");
+  expect(changed("segments 0 6", "segments 0 5"), "expected 'end', found 'polygon'");
+  expect(changed("segments 0 6", "segments 0 99999999999999"), "expected 'polygon', found 'end'");
+  expect(changed("cycle 4", "cycle 5"), "is not a number");
+  expect(changed("limpet 1\n", "limpet 1\r\n"), "line 1: version");
+  expect(error_of(text + "\n"), "something follows 'end'");
+  expect(error_of(text + "# comment\n"), "something follows 'end'");
+}
+
+TEST_F(NativeTest, FilesAreWrittenAsideAndReadByName) {
+  save_native(path("m.limpet"), rich_model());
+  EXPECT_EQ(names(), std::vector<std::string>{"m.limpet"});
+  EXPECT_EQ(read(path("m.limpet")), text_of(rich_model()));
+  EXPECT_EQ(text_of(load_native(path("m.limpet"))), text_of(rich_model()));
+  EXPECT_THROW(load_native(path("other.limpet")), InputError);
+  EXPECT_THROW(load_native(path("")), InputError);
+  EXPECT_THROW(save_native(path("no/folder.limpet"), rich_model()), OutputError);
+}
+
+TEST_F(NativeTest, WordsTheFormatCannotHoldAreRefusedUnwritten) {
+  model::ModelRecord model = cube();
+  model.rules = "two words";
+  EXPECT_THROW(save_native(path("m.limpet"), model), std::invalid_argument);
+  model.rules = "";
+  EXPECT_THROW(save_native(path("m.limpet"), model), std::invalid_argument);
+  EXPECT_EQ(names(), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace limpet::io::testing
