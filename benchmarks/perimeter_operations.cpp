@@ -39,14 +39,14 @@ constexpr unsigned kSecondsPerBatch = 20;
 
 enum Kind { kExtend, kMerge, kUnite, kFill, kKinds };
 constexpr std::array<const char*, kKinds> kKindNames = {"extend_to_point", "merge_polygons", "unite",
-                                                         "fill_fissures"};
+                                                        "fill_fissures"};
 enum Outcome { kChanged, kNothing, kRefused, kOutcomes };
 constexpr std::array<const char*, kOutcomes> kOutcomeNames = {"changed", "nothing_to_do", "refused"};
 /// What can be wrong with a result.
 enum Fault { kBroken, kAudit, kIdentity, kTouched, kShrunk, kLocate, kException, kFaults };
 constexpr std::array<const char*, kFaults> kFaultNames = {
-    "broken_results", "broken_by_audit", "identity_faults", "refused_but_changed", "area_lost",
-    "wrong_sides",    "exceptions"};
+    "broken_results", "broken_by_audit", "identity_faults", "refused_but_changed",
+    "area_lost",      "wrong_sides",     "exceptions"};
 
 /// Shared between parent and child: plain numbers.
 struct Figures {
@@ -102,8 +102,7 @@ bool audit_accepts(const Cycles& cycles) {
     const auto area = audit::twice_area(rings[i]);
     if (area.sign() != (i == 0 ? 1 : -1)) return false;
     for (std::size_t j = 0; j < rings.size(); ++j)
-      if (i > 0 && i != j &&
-          (audit::side_of(rings[i][0], rings[j]) == audit::Side::kInside) != (j == 0))
+      if (i > 0 && i != j && (audit::side_of(rings[i][0], rings[j]) == audit::Side::kInside) != (j == 0))
         return false;
   }
   return true;
@@ -113,7 +112,8 @@ void print(const char* name, const Cycles& cycles) {
   std::fprintf(stderr, "  %s = {", name);
   for (const auto& c : cycles) {
     std::fprintf(stderr, "{");
-    for (const NewVertex& v : c) std::fprintf(stderr, "{{%.17g, %.17g}%s}, ", v.at.x, v.at.y, v.shared ? ", {}, true" : "");
+    for (const NewVertex& v : c)
+      std::fprintf(stderr, "{{%.17g, %.17g}%s}, ", v.at.x, v.at.y, v.shared ? ", {}, true" : "");
     std::fprintf(stderr, "},\n");
   }
   std::fprintf(stderr, "}\n");
@@ -159,16 +159,20 @@ class Batch {
 
   NewVertex any_vertex() {
     const Cycles cycles = cycles_of(polygon_);
-    const auto& c = cycles[static_cast<std::size_t>(random_.whole(0, static_cast<std::int64_t>(cycles.size()) - 1))];
+    const auto& c =
+        cycles[static_cast<std::size_t>(random_.whole(0, static_cast<std::int64_t>(cycles.size()) - 1))];
     return c[static_cast<std::size_t>(random_.whole(0, static_cast<std::int64_t>(c.size()) - 1))];
   }
 
   Point2 near_perimeter() {
     const Point2 a = any_vertex().at, b = any_vertex().at;
     const double reach = random_.chance(0.5) ? 3 : gap_;
-    Point2 p = random_.chance(0.4) ? a : a + (random_.chance(0.3) ? 1 + 2 / (1 + std::sqrt(squared_length(b - a)))
-                                                                  : random_.unit()) * (b - a);
-    if (random_.chance(0.9)) p = p + Point2{(2 * random_.unit() - 1) * reach, (2 * random_.unit() - 1) * reach};
+    Point2 p = random_.chance(0.4) ? a
+                                   : a + (random_.chance(0.3) ? 1 + 2 / (1 + std::sqrt(squared_length(b - a)))
+                                                              : random_.unit()) *
+                                             (b - a);
+    if (random_.chance(0.9))
+      p = p + Point2{(2 * random_.unit() - 1) * reach, (2 * random_.unit() - 1) * reach};
     return {std::floor(p.x), std::floor(p.y)};
   }
 
@@ -190,14 +194,16 @@ class Batch {
     Map map = random_map(random_, random_.chance(0.6) ? scale_ : random_.scale(1, 1 + scale_), 0);
     const Point2 at = random_.chance(0.6) ? any_vertex().at : near_perimeter();
     map.x = at.x, map.y = at.y;
-    Cycles shift = {rectangle(0, 0, static_cast<double>(random_.whole(0, 6)), static_cast<double>(random_.whole(0, 6)))};
+    Cycles shift = {
+        rectangle(0, 0, static_cast<double>(random_.whole(0, 6)), static_cast<double>(random_.whole(0, 6)))};
     map_all(shift, map);
     map.x -= shift[0][2].at.x - at.x, map.y -= shift[0][2].at.y - at.y;
     return shape(5, map);
   }
 
   bool step() {
-    const auto kind = static_cast<Kind>(std::array{0, 0, 0, 1, 1, 2, 3, 3}[static_cast<std::size_t>(random_.whole(0, 7))]);
+    const auto kind =
+        static_cast<Kind>(std::array{0, 0, 0, 1, 1, 2, 3, 3}[static_cast<std::size_t>(random_.whole(0, 7))]);
     figures_.running = kind;
     before_ = cycles_of(polygon_);
     polygon_.take_removed();
@@ -222,7 +228,8 @@ class Batch {
       fault = true;
     }
     const auto ns = static_cast<std::uint64_t>(
-        std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - begin).count());
+        std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - begin)
+            .count());
     ++figures_.operations;
     ++figures_.outcome[kind][outcome];
     figures_.total_ns[kind] += ns;
@@ -249,7 +256,9 @@ class Batch {
     if (kind == kUnite) return unite(polygon_, *other, gap_, ids_, &attempts) ? kChanged : kRefused;
     const Merger m = merge_polygons(polygon_, *other, gap_, ids_);
     ++figures_.merger[static_cast<std::size_t>(m)];
-    return m == Merger::united || m == Merger::bridged ? kChanged : m == Merger::refused ? kRefused : kNothing;
+    return m == Merger::united || m == Merger::bridged ? kChanged
+           : m == Merger::refused                      ? kRefused
+                                                       : kNothing;
   }
 
   Fault judge_result(Outcome outcome, const std::optional<Polygon>& other) {
@@ -280,9 +289,8 @@ class Batch {
       if (std::binary_search(new_ids.begin(), new_ids.end(), id) ==
           std::binary_search(removed.begin(), removed.end(), id))
         return false;
-    return std::none_of(removed.begin(), removed.end(), [&](EdgeId id) {
-      return std::binary_search(new_ids.begin(), new_ids.end(), id);
-    });
+    return std::none_of(removed.begin(), removed.end(),
+                        [&](EdgeId id) { return std::binary_search(new_ids.begin(), new_ids.end(), id); });
   }
 
   /// locate() against all edges.
@@ -319,7 +327,9 @@ class Batch {
   double scale_ = 1, gap_ = 2, place_ = 0;
 };
 
-std::uint64_t batch_seed(std::uint64_t seed, std::uint64_t batch) { return Random(seed * 1'000'003 + batch).bits(); }
+std::uint64_t batch_seed(std::uint64_t seed, std::uint64_t batch) {
+  return Random(seed * 1'000'003 + batch).bits();
+}
 
 /// Runs one batch in a child; what it counted before it died stays.
 void run_batch(std::uint64_t seed, std::uint64_t batch, std::size_t operations, Figures& figures) {
@@ -345,8 +355,9 @@ std::string json_of(const Figures& f, std::uint64_t seed, double seconds) {
   std::string s = "{\n  \"arithmetic\": \"" + std::string(arithmetic()) + "\",\n  \"seed\": " + number(seed) +
                   ",\n  \"operations\": " + number(f.operations) + ",\n  \"audited\": " + number(f.audited) +
                   ",\n  \"crashes\": " + number(f.crashes) + ",\n  \"hangs\": " + number(f.hangs) +
-                  ",\n  \"most_edges\": " + number(f.edges_max) + ",\n  \"most_holes\": " + number(f.holes_max) +
-                  ",\n  \"seconds\": " + number(seconds) + ",\n  \"kinds\": {";
+                  ",\n  \"most_edges\": " + number(f.edges_max) +
+                  ",\n  \"most_holes\": " + number(f.holes_max) + ",\n  \"seconds\": " + number(seconds) +
+                  ",\n  \"kinds\": {";
   for (std::size_t k = 0; k < kKinds; ++k) {
     s += std::string(k ? "," : "") + "\n    \"" + kKindNames[k] + "\": {";
     std::uint64_t n = 0;
@@ -356,15 +367,16 @@ std::string json_of(const Figures& f, std::uint64_t seed, double seconds) {
     }
     for (std::size_t o = 0; o < kFaults; ++o)
       s += std::string("\"") + kFaultNames[o] + "\": " + number(f.fault[k][o]) + ", ";
-    s += "\"longest_ms\": " + number(static_cast<double>(f.longest_ns[k]) * 1e-6) +
-         ", \"mean_us\": " + number(static_cast<double>(f.total_ns[k]) * 1e-3 / static_cast<double>(n ? n : 1)) + "}";
+    s += "\"longest_ms\": " + number(static_cast<double>(f.longest_ns[k]) * 1e-6) + ", \"mean_us\": " +
+         number(static_cast<double>(f.total_ns[k]) * 1e-3 / static_cast<double>(n ? n : 1)) + "}";
   }
   s += "\n  },\n  \"mergers\": {";
   constexpr std::array names = {"contained", "united", "bridged", "too_far", "refused"};
   for (std::size_t k = 0; k < names.size(); ++k)
     s += std::string(k ? ", \"" : "\"") + names[k] + "\": " + number(f.merger[k]);
   s += "},\n  \"unite_succeeded_at_attempt\": [";
-  for (std::size_t k = 1; k < f.unite_attempt.size(); ++k) s += (k > 1 ? ", " : "") + number(f.unite_attempt[k]);
+  for (std::size_t k = 1; k < f.unite_attempt.size(); ++k)
+    s += (k > 1 ? ", " : "") + number(f.unite_attempt[k]);
   return s + "]\n}\n";
 }
 
@@ -390,8 +402,8 @@ int run(int argc, char** argv) {
       for (std::size_t k = 0; k < kKinds; ++k)
         for (std::size_t i = 0; i < kFaults; ++i)
           if (figures.fault[k][i] != before.fault[k][i])
-            std::fprintf(stderr, "batch %llu: %s, %s\n", static_cast<unsigned long long>(batch), kKindNames[k],
-                         kFaultNames[i]);
+            std::fprintf(stderr, "batch %llu: %s, %s\n", static_cast<unsigned long long>(batch),
+                         kKindNames[k], kFaultNames[i]);
     }
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

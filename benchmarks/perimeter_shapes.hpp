@@ -51,7 +51,8 @@ inline std::vector<NewVertex> reversed(std::vector<NewVertex> cycle) {
   return {cycle.rbegin(), cycle.rend()};
 }
 
-/// The outline of a connected set of grid cells, holes included, vertices at every cell corner or at the turns.
+/// The outline of a connected set of grid cells, holes included, vertices at every cell corner or at the
+/// turns.
 inline Cycles blob(Random& random, int side) {
   const int n = side + 2;
   std::vector<char> full(static_cast<std::size_t>(n * n));
@@ -70,7 +71,9 @@ inline Cycles blob(Random& random, int side) {
     const int px = cx + ox, py = cy + oy;
     return px >= 0 && py >= 0 && px < n && py < n && at(px, py) != 0;
   };
-  const auto boundary = [&](int cx, int cy, int d) { return cell(cx, cy, d, true) && !cell(cx, cy, d, false); };
+  const auto boundary = [&](int cx, int cy, int d) {
+    return cell(cx, cy, d, true) && !cell(cx, cy, d, false);
+  };
   std::vector<char> done(static_cast<std::size_t>((n + 1) * (n + 1) * 4));
   const bool all_corners = random.chance(0.4);
   Cycles cycles;
@@ -100,8 +103,10 @@ inline Cycles blob(Random& random, int side) {
 }
 
 inline Cycles comb(Random& random) {
-  const double tooth = static_cast<double>(random.whole(1, 4)), slit = static_cast<double>(random.whole(1, 4));
-  const double depth = static_cast<double>(random.whole(2, 40)), spine = static_cast<double>(random.whole(1, 3));
+  const double tooth = static_cast<double>(random.whole(1, 4)),
+               slit = static_cast<double>(random.whole(1, 4));
+  const double depth = static_cast<double>(random.whole(2, 40)),
+               spine = static_cast<double>(random.whole(1, 3));
   const auto teeth = static_cast<int>(random.whole(2, 30));
   std::vector<NewVertex> cycle{{{0, 0}}};
   double x = teeth * tooth + (teeth - 1) * slit;
@@ -117,7 +122,8 @@ inline Cycles comb(Random& random) {
 
 inline Cycles spiral(Random& random) {
   const auto turns = static_cast<int>(random.whole(4, 24));
-  const double pitch = static_cast<double>(random.whole(2, 6)), width = static_cast<double>(random.whole(1, 1));
+  const double pitch = static_cast<double>(random.whole(2, 6)),
+               width = static_cast<double>(random.whole(1, 1));
   std::vector<Point2> outer{{0, 0}}, inner;
   Point2 p{0, 0};
   constexpr double kDx[] = {1, 0, -1, 0}, kDy[] = {0, 1, 0, -1};
@@ -178,8 +184,16 @@ inline Cycles raw_shape(Random& random) {
     }
     case 8: {  // a ring with a slit
       const double o = 1 + small(3), i = 2 + small(8), s = 1 + small(1);
-      return {cycle_of({{0, 0}, {2 * o + i, 0}, {2 * o + i, 2 * o + i}, {o + s, 2 * o + i}, {o + s, o + i},
-                        {o + i, o + i}, {o + i, o}, {o, o}, {o, 2 * o + i}, {0, 2 * o + i}})};
+      return {cycle_of({{0, 0},
+                        {2 * o + i, 0},
+                        {2 * o + i, 2 * o + i},
+                        {o + s, 2 * o + i},
+                        {o + s, o + i},
+                        {o + i, o + i},
+                        {o + i, o},
+                        {o, o},
+                        {o, 2 * o + i},
+                        {0, 2 * o + i}})};
     }
     default:
       return {rectangle(0, 0, 1 + small(9), 1 + small(9))};

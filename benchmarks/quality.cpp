@@ -3,10 +3,11 @@
 // How good are the models? Simulated scans of known shapes are modelled and judged by the truth.
 //
 //     limpet_quality --shapes cube,L --points 10000,100000 --noise 0,0.002,0.005 --orders raster,shuffled
-//                    --outliers 0,0.01 --seeds 10 [--rules limpet] [--csv FILE] [--audit-every N] [--keep DIR]
+//                    --outliers 0,0.01 --seeds 10 [--rules limpet] [--csv FILE] [--audit-every N] [--keep
+//                    DIR]
 //
-// λ = max(feature/20, 2.2·√(area/points)); a case counts when λ ≤ feature/5 and noise ≤ λ/10. One line a run in
-// the CSV, one line a case on standard output.
+// λ = max(feature/20, 2.2·√(area/points)); a case counts when λ ≤ feature/5 and noise ≤ λ/10. One line a run
+// in the CSV, one line a case on standard output.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -62,36 +63,39 @@ struct Run {
 std::size_t count_violations(const model::ModelRecord& record, std::string& what) {
   std::stringstream text;
   io::write_native(text, record);
-  const auto violations = audit::judge(audit::read_document(text));
-  if (!violations.empty()) what += violations[0].law + " " + violations[0].where + " " + violations[0].what + "; ";
+  const auto violations = audit::judge(audit::parse_document(text));
+  if (!violations.empty())
+    what += violations[0].law + " " + violations[0].where + " " + violations[0].what + "; ";
   return violations.size();
 }
 
 /// "0.2 % of the object's size": its largest extent, or for a field of many boxes that of one of them.
 double size_of(const simulation::Mesh& mesh, const std::string& shape, double feature) {
   if (shape.starts_with("city") || shape.starts_with("room")) return feature;
-  Eigen::AlignedBox3d box;
-  for (const auto& v : mesh.vertices) box.extend(v);
-  return box.sizes().maxCoeff();
+  const auto bounds = simulation::bounds_of(mesh);
+  return (bounds.high - bounds.low).maxCoeff();
 }
 
-Case make_case(const Arguments& args, const simulation::Scene& scene, const std::string& shape, std::int64_t points,
-               double noise_ratio, const std::string& order, double outliers) {
+Case make_case(const Arguments& args, const simulation::Scene& scene, const std::string& shape,
+               std::int64_t points, double noise_ratio, const std::string& order, double outliers) {
   Case c{shape, order, points, noise_ratio, outliers, 0, 0, scene.feature, 0, {}};
-  for (int f = 0; f < scene.mesh.face_count; ++f) c.area += simulation::face_area(scene.mesh, f);
+  for (const auto& face : simulation::faces_of(scene.mesh)) c.area += face.area;
   c.noise = noise_ratio * size_of(scene.mesh, shape, scene.feature);
-  c.resolution = args.resolution > 0 ? args.resolution
-                                     : std::max(c.feature / 20, 2.2 * std::sqrt(c.area / static_cast<double>(points)));
+  c.resolution = args.resolution > 0
+                     ? args.resolution
+                     : std::max(c.feature / 20, 2.2 * std::sqrt(c.area / static_cast<double>(points)));
   if (args.resolution > 0) return c;
-  if (c.resolution > c.feature / 5) c.skipped = "resolution above feature/5";
-  else if (c.noise > c.resolution / 10) c.skipped = "noise above resolution/10";
+  if (c.resolution > c.feature / 5)
+    c.skipped = "resolution above feature/5";
+  else if (c.noise > c.resolution / 10)
+    c.skipped = "noise above resolution/10";
   return c;
 }
 
 Run run(const Arguments& args, const simulation::Scene& scene, const Case& c, int seed) {
   simulation::ScanOptions options;
   options.points = c.points;
-  options.order = c.order == "raster"   ? simulation::ScanOptions::Order::raster
+  options.order = c.order == "raster"    ? simulation::ScanOptions::Order::raster
                   : c.order == "sampled" ? simulation::ScanOptions::Order::sampled
                                          : simulation::ScanOptions::Order::shuffled;
   options.noise = c.noise;
@@ -122,8 +126,9 @@ Run run(const Arguments& args, const simulation::Scene& scene, const Case& c, in
   const auto record = model.record();
   r.violations += count_violations(record, r.faults);
   if (!args.keep.empty()) {
-    std::ofstream file(args.keep + "/" + c.shape + "_" + std::to_string(c.points) + "_" + std::to_string(c.noise_ratio) +
-                       "_" + c.order + "_" + std::to_string(c.outliers) + "_" + std::to_string(seed) + ".limpet");
+    std::ofstream file(args.keep + "/" + c.shape + "_" + std::to_string(c.points) + "_" +
+                       std::to_string(c.noise_ratio) + "_" + c.order + "_" + std::to_string(c.outliers) +
+                       "_" + std::to_string(seed) + ".limpet");
     io::write_native(file, record);
   }
 
@@ -153,8 +158,10 @@ Run run(const Arguments& args, const simulation::Scene& scene, const Case& c, in
   std::int64_t on_faces = 0, loose = 0, outliers = 0, kept_out = 0;
   for (std::size_t i = 0; i < labelled.size(); ++i) {
     const bool in_polygon = is_polygon.count(labels[i].value) > 0;
-    if (labelled[i].face < 0) ++outliers, kept_out += !in_polygon;
-    else if (report.faces[static_cast<std::size_t>(labelled[i].face)].counts) ++on_faces, loose += !in_polygon;
+    if (labelled[i].face < 0)
+      ++outliers, kept_out += !in_polygon;
+    else if (report.faces[static_cast<std::size_t>(labelled[i].face)].counts)
+      ++on_faces, loose += !in_polygon;
   }
   r.loose = on_faces ? static_cast<double>(loose) / static_cast<double>(on_faces) : 0;
   r.outliers_kept_out = outliers ? static_cast<double>(kept_out) / static_cast<double>(outliers) : 1;
@@ -165,15 +172,16 @@ Run run(const Arguments& args, const simulation::Scene& scene, const Case& c, in
 
 void report_case(const Case& c, const std::vector<Run>& runs) {
   if (!c.skipped.empty()) {
-    std::printf("%-10s %8ld noise %.3f %-8s outliers %.2f  skipped: %s\n", c.shape.c_str(), c.points, c.noise_ratio,
-                c.order.c_str(), c.outliers, c.skipped.c_str());
+    std::printf("%-10s %8ld noise %.3f %-8s outliers %.2f  skipped: %s\n", c.shape.c_str(), c.points,
+                c.noise_ratio, c.order.c_str(), c.outliers, c.skipped.c_str());
     return;
   }
   Run worst;
   int right = 0, counted = 0, represented = 0, extra = 0, bad_angles = 0;
   double seconds = 0, points = 0;
   for (const Run& r : runs) {
-    right += r.right, counted += r.counted, represented += r.represented, extra += r.extra, bad_angles += r.bad_angles;
+    right += r.right, counted += r.counted, represented += r.represented, extra += r.extra,
+        bad_angles += r.bad_angles;
     seconds += r.seconds, points += static_cast<double>(r.points);
     worst.worst_angle_deg = std::max(worst.worst_angle_deg, r.worst_angle_deg);
     worst.overshoot = std::max(worst.overshoot, r.overshoot);
@@ -185,8 +193,8 @@ void report_case(const Case& c, const std::vector<Run>& runs) {
   std::printf(
       "%-10s %8ld noise %.3f %-8s outliers %.2f  right %d/%zu  faces %d/%d extra %d  angle %.2f° (bad %d)  "
       "outside %.2fλ inside %.2fλ  loose %.2f%%  kept out %.1f%%  violations %zu  %.2f µs/point\n",
-      c.shape.c_str(), c.points, c.noise_ratio, c.order.c_str(), c.outliers, right, runs.size(), represented, counted,
-      extra, worst.worst_angle_deg, bad_angles, worst.overshoot, worst.shortfall, 100 * worst.loose,
+      c.shape.c_str(), c.points, c.noise_ratio, c.order.c_str(), c.outliers, right, runs.size(), represented,
+      counted, extra, worst.worst_angle_deg, bad_angles, worst.overshoot, worst.shortfall, 100 * worst.loose,
       100 * worst.outliers_kept_out, worst.violations, 1e6 * seconds / points);
   std::fflush(stdout);
 }
@@ -216,7 +224,8 @@ int main(int argc, char** argv) {
   std::ofstream csv;
   if (!args.csv.empty()) {
     csv.open(args.csv);
-    csv << "shape,points,noise,order,outliers,seed,right,counted,represented,extra,wrong_holes,angle_deg,bad_angles,"
+    csv << "shape,points,noise,order,outliers,seed,right,counted,represented,extra,wrong_holes,angle_deg,bad_"
+           "angles,"
            "overshoot,shortfall,loose,kept_out,violations,seconds,faults\n";
   }
   int all = 0, right = 0;
@@ -228,16 +237,17 @@ int main(int argc, char** argv) {
           for (const double outliers : args.outliers) {
             const Case c = make_case(args, scene, shape, points, noise, order, outliers);
             std::vector<Run> runs;
-            for (int seed = args.first_seed; c.skipped.empty() && seed < args.first_seed + args.seeds; ++seed) {
+            for (int seed = args.first_seed; c.skipped.empty() && seed < args.first_seed + args.seeds;
+                 ++seed) {
               runs.push_back(run(args, scene, c, seed));
               const Run& r = runs.back();
               ++all, right += r.right;
               if (!r.right || r.violations) std::printf("  seed %d: %s\n", seed, r.faults.c_str());
-              csv << shape << ',' << points << ',' << noise << ',' << order << ',' << outliers << ',' << seed << ','
-                  << r.right << ',' << r.counted << ',' << r.represented << ',' << r.extra << ',' << r.wrong_holes << ','
-                  << r.worst_angle_deg << ',' << r.bad_angles << ',' << r.overshoot << ',' << r.shortfall << ','
-                  << r.loose << ',' << r.outliers_kept_out << ',' << r.violations << ',' << r.seconds << ",\"" << r.faults
-                  << "\"\n";
+              csv << shape << ',' << points << ',' << noise << ',' << order << ',' << outliers << ',' << seed
+                  << ',' << r.right << ',' << r.counted << ',' << r.represented << ',' << r.extra << ','
+                  << r.wrong_holes << ',' << r.worst_angle_deg << ',' << r.bad_angles << ',' << r.overshoot
+                  << ',' << r.shortfall << ',' << r.loose << ',' << r.outliers_kept_out << ',' << r.violations
+                  << ',' << r.seconds << ",\"" << r.faults << "\"\n";
             }
             report_case(c, runs);
           }

@@ -26,7 +26,8 @@ bool inside_even_odd(std::span<const Segment2> edges, Point2 p);
 /// not indexed: there the index names all slots.
 ///
 /// Reference points have a half and a 2^-27 as fractions: no edge between grid points below 2^26 steps passes
-/// through one, because dx/2 - dy/2^27 is whole only for dx = dy = 0.
+/// through one, because dx/2 - dy/2^27 is whole only for dx = dy = 0. Where an edge does pass through one, it
+/// counts as a little further in +x.
 class EdgeIndex {
  public:
   static constexpr std::size_t kMinimum = 24;

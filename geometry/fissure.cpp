@@ -5,6 +5,7 @@
 #include <deque>
 
 #include <limpet/geometry/bridge.hpp>
+#include <limpet/geometry/judge.hpp>
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/geometry/search.hpp>
 
@@ -37,6 +38,15 @@ std::optional<Filling> three(FissureType type, Point2 a, Point2 b, Point2 c, dou
 }
 
 }  // namespace
+
+std::vector<Point2> Filling::region(const std::array<Point2, 4>& v) const {
+  const bool foot_first = type == FissureType::III || type == FissureType::VI;
+  const bool foot_last = type == FissureType::II || type == FissureType::V;
+  std::vector<Point2> points{foot_first ? *foot : v[0]};
+  for (std::size_t i = 1; i < last; ++i) points.push_back(v[i]);
+  points.push_back(foot_last ? *foot : v[last]);
+  return points;
+}
 
 std::optional<Filling> find_fissure(FissureType type, const std::array<Point2, 4>& v, double gap) {
   switch (type) {
@@ -114,10 +124,21 @@ class Filler {
     for (std::size_t i = 0; i < 4; ++i) v[i] = polygon_.at(s[i]);
     for (const FissureType type : internal::kFissureOrder) {
       if (needs_four(type) && !four) continue;
-      if (const auto filling = internal::find_fissure(type, v, gap_); filling && fill(s, *filling, cycle))
+      if (const auto filling = internal::find_fissure(type, v, gap_);
+          filling && lies_outside(filling->region(v)) && fill(s, *filling, cycle))
         return true;
     }
     return false;
+  }
+
+  /// Do the new edge's ends sight each other past the section that goes, on the outside of it?
+  static bool lies_outside(const std::vector<Point2>& region) {
+    std::vector<KeyedEdge> edges;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      const std::size_t j = (i + 1) % region.size();
+      edges.push_back({region[i], region[j], i, j});
+    }
+    return judge_edges(edges) == Verdict::valid && chain_orientation(region) < 0;
   }
 
   bool fill(const std::array<Slot, 4>& s, const Filling& filling, const Polygon::Cycle& cycle) {

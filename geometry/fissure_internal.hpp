@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include <limpet/geometry/types.hpp>
 
@@ -17,6 +18,9 @@ struct Filling {
   FissureType type;
   std::size_t first = 0, last = 0;
   std::optional<Point2> foot;  ///< v5, rounded
+
+  /// The outline of what is filled: along the removed section, then back by the new edge.
+  std::vector<Point2> region(const std::array<Point2, 4>& v) const;
 };
 
 /// The fissure of this type among v1, v2, v3, v4 (thesis §2.5); types I to III look at v1, v2, v3 alone.

@@ -72,10 +72,15 @@ Polygon::Side Polygon::locate(Point2 p) const {
     }
     return inside ? Side::inside : Side::outside;
   }
-  // From p straight to the reference point of its cell: each edge crossed on the way changes the side.
+  // From p straight to the reference point of its cell: each edge crossed on the way changes the side. The
+  // reference counts as a little further in +x, as in flip(): beyond 2^26 steps it may lie on an edge.
   const EdgeIndex::Cell& cell = index_.cell_at(p);
   const Point2 r = index_.reference_at(p);
   const Box2 way = box_of(p, r);
+  const auto left_of_way = [&](Point2 v) {
+    const int side = orientation(p, r, v);
+    return side != 0 ? side > 0 : v.y > p.y;
+  };
   inside = cell.inside;
   for (const std::uint32_t i : cell.edges) {
     const Point2 a = nodes_[i].at, b = at(nodes_[i].next);
@@ -85,11 +90,9 @@ Polygon::Side Polygon::locate(Point2 p) const {
       if (box_of(a, b).contains(p)) return Side::boundary;
       continue;  // p and the reference are then not on opposite sides
     }
-    // A reference beyond 2^26 steps may lie on an edge; it then counts as a little further in +x, as in flip().
     int side_r = orientation(a, b, r);
     if (side_r == 0) side_r = a.y < b.y ? -1 : 1;
-    if (side_p == side_r) continue;
-    if ((orientation(p, r, a) >= 0) != (orientation(p, r, b) >= 0)) inside ^= true;
+    inside ^= side_p != side_r && left_of_way(a) != left_of_way(b);
   }
   return inside ? Side::inside : Side::outside;
 }

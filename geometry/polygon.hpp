@@ -94,8 +94,8 @@ class Polygon {
   /// Where p lies. Exact in the exact build.
   Side locate(Point2 p) const;
 
-  /// Calls f(Slot) for every edge that touches `box` and maybe others near it; an edge may come more than once. f returns true to
-  /// stop.
+  /// Calls f(Slot) for every edge that touches `box` and maybe others near it; an edge may come more than
+  /// once. f returns true to stop.
   template <class F>
   bool any_edge_near(const Box2& box, F&& f) const {
     return index_.any_near(box, nodes_.size(), [&](std::uint32_t i) {

@@ -53,9 +53,8 @@ std::vector<SourceEdge> edges_of(const Polygon& b, std::size_t attempt, double g
     for (std::size_t i = 0; i < moved.size(); ++i, s = b.next(s))
       edges.push_back({moved[i].at, moved[(i + 1) % moved.size()].at, s, b.next(s)});
   }
-  std::stable_sort(cycles.begin(), cycles.end(), [](const auto& c, const auto& d) {
-    return orientation_of(c) > orientation_of(d);
-  });
+  std::stable_sort(cycles.begin(), cycles.end(),
+                   [](const auto& c, const auto& d) { return orientation_of(c) > orientation_of(d); });
   if (reach > 0 && judge_cycles(cycles) != Verdict::valid) edges.clear();
   return edges;
 }
@@ -132,10 +131,10 @@ class Candidate {
   void add_loop(const std::vector<OutlinePiece>& pieces) {
     std::vector<NewVertex> loop;
     for (std::size_t i = 0; i < pieces.size(); ++i) loop.push_back(vertex_of(pieces, i));
-    if (loop.size() >= 2) drop_near(loop, loop.back().at, loop.front().at + Point2{1e9, 1e9});
+    const bool hole = orientation_of(loop) <= 0;
+    drop_near(loop);
     std::vector<Point2> points;
     for (const NewVertex& v : loop) points.push_back(v.at);
-    const bool hole = points.size() < 3 || chain_orientation(points) <= 0;
     if (hole && collapses(points, gap_)) return;  // a hole narrower than the resolution is none
     edit_.loops.push_back(std::move(loop));
   }
@@ -152,6 +151,16 @@ class Candidate {
       last = v.at;
     }
     via = std::move(result);
+  }
+
+  static void drop_near(std::vector<NewVertex>& loop) {
+    if (loop.empty()) return;
+    std::vector<NewVertex> rest(loop.begin() + 1, loop.end());
+    loop.resize(1);
+    const Point2 start = loop.front().at;
+    if (!rest.empty() && near(start, rest.front().at)) loop.front().edge = {}, loop.front().shared = false;
+    drop_near(rest, start, start);
+    loop.insert(loop.end(), rest.begin(), rest.end());
   }
 
   const Polygon &a_, &b_;

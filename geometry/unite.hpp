@@ -13,7 +13,8 @@ namespace limpet::geometry {
 ///
 /// The candidate's vertices are rounded and then judged. Where rounding or a touching vertex broke it, b's
 /// vertices are moved by a few grid steps (up to λ/128, far below what a perimeter is known to) and the
-/// outline is taken again, a bounded number of times (`attempts` tells how often it was taken). False, and `a` as it was, when no candidate is valid.
+/// outline is taken again, a bounded number of times (`attempts` tells how often it was taken). False, and
+/// `a` as it was, when no candidate is valid.
 bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds&, std::size_t* attempts = nullptr);
 
 }  // namespace limpet::geometry
