@@ -198,6 +198,14 @@ Vector3d area_vector(const Mesh& mesh, int triangle) {
   return (mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin);
 }
 
+double signed_volume(const Mesh& mesh) {
+  const Vector3d origin = bounds_of(mesh).centre();
+  double sum = 0;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+    sum += (mesh.vertices[mesh.triangles[t][0]] - origin).dot(area_vector(mesh, t)) / 6;
+  return sum;
+}
+
 EdgeCounts count_edges(const Mesh& mesh) {
   std::map<EdgeKey, std::pair<int, int>> both_ways;
   for (const EdgeUse& use : directed_edges(mesh.triangles)) {

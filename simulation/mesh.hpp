@@ -38,8 +38,10 @@ Mesh make_mesh(const std::vector<Eigen::Vector3d>& vertices, const std::vector<s
                double planarity = kPlanarity);
 
 /// Reads OFF (also COFF, NOFF, STOFF: what is not position is ignored), STL (text or binary), OBJ or PLY
-/// (text or binary), told by the name's ending, in any case. Throws MeshError.
-Mesh load_mesh(const std::string& path, double planarity = kPlanarity);
+/// (text or binary), told by the name's ending, in any case. Many closed meshes are stored inside out: one
+/// with a negative volume is turned, unless it is to `keep_inward`, as the inside of a room. Throws
+/// MeshError.
+Mesh load_mesh(const std::string& path, double planarity = kPlanarity, bool keep_inward = false);
 
 /// One true face.
 struct Face {
@@ -73,5 +75,8 @@ struct EdgeCounts {
   long crowded = 0;  ///< of more than two triangles, or of two that disagree about the direction
 };
 EdgeCounts count_edges(const Mesh& mesh);
+
+/// Volume enclosed by a closed mesh; negative if it faces inward.
+double signed_volume(const Mesh& mesh);
 
 }  // namespace limpet::simulation

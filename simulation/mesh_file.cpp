@@ -13,6 +13,7 @@
 #include <iterator>
 #include <limpet/simulation/mesh.hpp>
 #include <string_view>
+#include <utility>
 
 namespace limpet::simulation {
 namespace {
@@ -278,13 +279,16 @@ Soup read(std::string ending, std::string_view data) {
 
 }  // namespace
 
-Mesh load_mesh(const std::string& path, double planarity) {
+Mesh load_mesh(const std::string& path, double planarity, bool keep_inward) {
   try {
     std::ifstream file(path, std::ios::binary);
     const std::string data{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     if (!file) throw MeshError("cannot be read");
     const Soup soup = read(path.substr(path.rfind('.') + 1), data);
-    return make_mesh(soup.vertices, soup.polygons, planarity);
+    Mesh mesh = make_mesh(soup.vertices, soup.polygons, planarity);
+    if (!keep_inward && count_edges(mesh).open == 0 && signed_volume(mesh) < 0)
+      for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+    return mesh;
   } catch (const MeshError& error) {
     throw MeshError(path + ": " + error.what());
   }

@@ -89,14 +89,15 @@ std::vector<int> matches(const std::vector<Region>& polygons, const std::vector<
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     const std::vector<Vector3d> samples = spread_over(polygons[p].triangles, kSamples);
     std::vector<char> on_any(samples.size(), 0);
-    std::ptrdiff_t most = 0;
+    double most = 0;
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       if (!may_touch(polygons[p], candidates[c], reach, cos_max)) continue;
-      std::ptrdiff_t on = 0;
+      double on = 0;
       for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (candidates[c].surface.distance(samples[i]) > reach) continue;
+        const double distance = candidates[c].surface.distance(samples[i]);
+        if (distance > reach) continue;
         on_any[i] = 1;
-        ++on;
+        on += 1 - 0.9 * distance / reach;  // of several faces closer to each other than λ the right one wins
       }
       if (on <= most) continue;
       most = on;

@@ -32,7 +32,8 @@ std::vector<Eigen::Vector3d> spread_over(const std::vector<Triangle3>& triangles
 std::vector<Eigen::Vector3d> along_boundary(const PlanarFace& face, double spacing);
 
 /// Which of `candidates` each polygon lies on: faces the same way within `max_angle_rad`, and has the largest
-/// share of its area within `reach`; −1 if less than half of its area lies on candidates at all.
+/// share of its area within `reach`, near parts weighing more; −1 if less than half of its area lies on
+/// candidates at all, or it has no area.
 std::vector<int> matches(const std::vector<Region>& polygons, const std::vector<Region>& candidates,
                          double reach, double max_angle_rad);
 
