@@ -100,8 +100,9 @@ Soup read_off(std::string_view text) {
     words.skip_line();
   }
   for (long f = 0; f < polygons; ++f) {
-    std::vector<int>& polygon = soup.polygons.emplace_back(count(words.next()));
-    for (int& v : polygon) v = number<int>(words.next());
+    std::vector<int>& polygon = soup.polygons.emplace_back();
+    for (long corners = count(words.next()); corners > 0; --corners)
+      polygon.push_back(number<int>(words.next()));
     words.skip_line();
   }
   return soup;
@@ -243,6 +244,7 @@ Soup read_ply(std::string_view data) {
 
   Soup soup;
   for (const PlyElement& element : elements) {
+    if (element.properties.empty()) continue;  // takes no room in the file, however many there are
     for (long i = 0; i < element.count; ++i) {
       Eigen::Vector3d p = Eigen::Vector3d::Zero();
       for (const PlyProperty& property : element.properties) {
@@ -253,6 +255,7 @@ Soup read_ply(std::string_view data) {
             p[property.name.front() - 'x'] = first;
           continue;
         }
+        if (!(first >= 0 && first < 1e9)) throw MeshError("no sensible length of a list");
         std::vector<int> list;
         for (long k = 0; k < static_cast<long>(first); ++k) {
           const double v = value(property.type);

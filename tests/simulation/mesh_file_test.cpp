@@ -172,6 +172,11 @@ TEST_F(MeshFile, ErrorsNameTheFileInOneLine) {
       {"headless.ply", "ply\nformat ascii 1.0\n"},
       {"type.ply",
        "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty quad x\nend_header\n12345678"},
+      {"list.ply",
+       "ply\nformat ascii 1.0\nelement face 1\nproperty list float int vertex_indices\nend_header\nnan 1 2 "
+       "3\n"},
+      {"nothing.ply", "ply\nformat ascii 1.0\nelement vertex 999999999\nend_header\n"},
+      {"corners.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n999999999 0 1 2\n"},
       {"mesh.xyz", "0 0 0\n"},
   };
   for (const auto& [name, content] : bad) {
