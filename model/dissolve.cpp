@@ -3,6 +3,7 @@
 // A young segment whose points mostly belong to a mature neighbour (a sliver across an edge, say) is
 // dissolved, and its points find their segments again.
 #include <algorithm>
+#include <cassert>
 
 #include "engine_internal.hpp"
 
@@ -33,6 +34,7 @@ bool mostly_fits_neighbours(Engine& e, const Segment& s) {
 }  // namespace
 
 void release_points(Engine& e, Segment& s, bool count_return) {
+  assert(static_cast<std::int64_t>(s.raw.size()) == s.moments.count());
   for (RawPoint raw : s.raw) {
     raw.returned += count_return;
     e.pending.push_back(raw);

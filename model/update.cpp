@@ -76,7 +76,7 @@ void release_all_point_segments(Engine& e) {
   std::sort(ids.begin(), ids.end());
   for (const SegmentId id : ids) {
     Segment* s = e.find(id);
-    if (!s) continue;
+    if (!s || s->polygon || !s->young()) continue;  // a point released before may have made it a polygon
     release_points(e, *s, false);
     insert_pending(e);
   }
