@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <limpet/io/error.hpp>
 #include <limpet/io/output_file.hpp>
 
@@ -14,25 +15,35 @@ namespace {
 constexpr std::size_t kBufferBytes = 1 << 20;
 }
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
   struct stat found;
-  if (::stat(path_.c_str(), &found) == 0 && S_ISDIR(found.st_mode)) {
+  const bool exists = ::stat(path_.c_str(), &found) == 0;
+  if (exists && S_ISDIR(found.st_mode)) {
     throw OutputError(path_ + ": is a folder; give the name of a file in it");
   }
-  // The process number keeps two programs that write the same file from writing the same bytes aside.
-  for (int attempt = 0; file_ < 0 && attempt < 100; ++attempt) {
-    aside_ = path_ + ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-    file_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file_ < 0 && errno != EEXIST) break;
+  if (exists && !S_ISREG(found.st_mode)) {  // a device or a pipe must be written to, never replaced
+    file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+  } else {
+    if (exists) target_ = std::filesystem::canonical(path_).string();  // a link stays a link
+    open_aside();
   }
   if (file_ < 0) fail("cannot be written");
   buffer_.reserve(kBufferBytes);
 }
 
+void OutputFile::open_aside() {
+  // The process number keeps two programs that write the same file from writing the same bytes aside.
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    aside_ = target_ + ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+    file_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file_ >= 0 || errno != EEXIST) return;
+  }
+}
+
 OutputFile::~OutputFile() {
   if (file_ < 0) return;
   ::close(file_);
-  ::unlink(aside_.c_str());
+  if (!aside_.empty()) ::unlink(aside_.c_str());
 }
 
 void OutputFile::fail(const char* doing) const {
@@ -73,12 +84,12 @@ void OutputFile::close() {
   flush();
   const int file = file_;
   file_ = -1;
-  if (::close(file) != 0 || ::rename(aside_.c_str(), path_.c_str()) != 0) {
-    const int reason = errno;
-    ::unlink(aside_.c_str());
-    errno = reason;
-    fail("cannot be written");
-  }
+  const bool closed = ::close(file) == 0;
+  if (closed && (aside_.empty() || ::rename(aside_.c_str(), target_.c_str()) == 0)) return;
+  const int reason = errno;
+  if (!aside_.empty()) ::unlink(aside_.c_str());
+  errno = reason;
+  fail("cannot be written");
 }
 
 }  // namespace limpet::io

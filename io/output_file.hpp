@@ -8,7 +8,8 @@
 namespace limpet::io {
 
 /// A file written aside, in the same folder, and renamed to its final name by close(): under that name there
-/// is either the old file or the whole new one. Destroyed without close(), it leaves nothing behind.
+/// is either the old file or the whole new one. Destroyed without close(), it leaves nothing behind. What
+/// exists and is no file (a pipe, /dev/null) is written to as it stands.
 class OutputFile {
  public:
   /// Errors: OutputError when the file cannot be made.
@@ -30,10 +31,13 @@ class OutputFile {
 
  private:
   [[noreturn]] void fail(const char* doing) const;
+  void open_aside();
   void put(std::string_view bytes);
   void flush();
 
-  std::string path_, aside_;
+  std::string path_;    ///< as given
+  std::string target_;  ///< the file meant, links followed
+  std::string aside_;   ///< written until close(); empty: straight to a device
   std::string buffer_;
   int file_ = -1;
 };

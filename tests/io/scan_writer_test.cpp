@@ -79,6 +79,20 @@ TEST_F(ScanWriterTest, WithoutCloseNothingIsLeftAndTheOldFileStays) {
   EXPECT_EQ(names(), std::vector<std::string>{"old.ply"});
 }
 
+TEST_F(ScanWriterTest, LinksStayLinksAndDevicesStayDevices) {
+  write("real.xyz", "");
+  std::filesystem::create_symlink(path("real.xyz"), path("link.xyz"));
+  std::filesystem::create_symlink("/dev/null", path("null.xyz"));
+  for (const char* name : {"link.xyz", "null.xyz"}) {
+    const auto writer = create_scan(path(name), {});
+    writer->write(random_records(1)[0]);
+    writer->close();
+    EXPECT_TRUE(std::filesystem::is_symlink(path(name))) << name;
+  }
+  EXPECT_EQ(read_scan(path("real.xyz")).records.size(), 1u);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
 TEST_F(ScanWriterTest, WhatCannotBeWrittenIsSaid) {
   EXPECT_THROW(create_scan(path("scan.las"), {}), OutputError);
   EXPECT_THROW(create_scan(path("no/such/folder.ply"), {}), OutputError);

@@ -1,4 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <thread>
+
 #include "files.hpp"
 
 namespace limpet::io::testing {
@@ -86,6 +88,27 @@ TEST_F(TableTest, FirstBytesTellTheFormatWhateverTheName) {
       "z\nend_header\n1 2 3\n";
   EXPECT_EQ(read_scan(write("really_ply.xyz", ply)).records.size(), 1u);
   EXPECT_EQ(read_scan(write("no_extension", "1 2 3\n4 5 6\n")).records.size(), 2u);
+}
+
+/// Standard input is a pipe more often than not: it comes in pieces and cannot be wound back.
+TEST_F(TableTest, StandardInputIsReadAsItComes) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const int before = ::dup(STDIN_FILENO);
+  ASSERT_EQ(::dup2(ends[0], STDIN_FILENO), STDIN_FILENO);
+  std::thread feeder([out = ends[1]] {
+    const std::string text = "# x y z ax ay az\n1 2 3 0 0 1\n4 5 6 0 1 0\n7 8 9 1 0";
+    for (const char c : text) EXPECT_EQ(::write(out, &c, 1), 1);
+    ::close(out);
+  });
+  const ScanResult scan = read_scan("-");
+  feeder.join();
+  ::dup2(before, STDIN_FILENO);
+  ::close(before);
+  ::close(ends[0]);
+  ASSERT_EQ(scan.records.size(), 2u);
+  EXPECT_VECTOR(scan.records[1].point.axis, 0, 1, 0);
+  EXPECT_EQ(scan.error.rfind("standard input: line 4: 5 numbers", 0), 0u) << scan.error;
 }
 
 TEST_F(TableTest, LongScansCrossTheBufferUnharmed) {
