@@ -27,12 +27,13 @@
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/geometry/unite.hpp>
 
-#include "perimeter_shapes.hpp"
+#include "../tests/geometry/perimeter_shapes.hpp"
 
 namespace limpet::benchmarks {
 namespace {
 
 using namespace geometry;
+using namespace shapes;
 
 constexpr std::size_t kBatch = 2000;
 constexpr unsigned kSecondsPerBatch = 20;

@@ -49,8 +49,8 @@ class SectionSearch {
       for (std::size_t i = std::min(total + 1, back.size()); i-- > 0;) {
         const std::size_t j = total - i;
         if (j >= forward.size() || i + j + 2 > size) continue;
-        if (!ordered(forward[j].foot, back[i].foot)) continue;
-        if (attempt(back[i], forward[j])) return true;
+        if (!back[i] || !forward[j] || !ordered(forward[j]->foot, back[i]->foot)) continue;
+        if (attempt(*back[i], *forward[j])) return true;
         if (++attempts == kMaxAttempts) return false;
       }
     return false;
@@ -85,8 +85,10 @@ class SectionSearch {
     return nearest_perimeter_point(x_, p, gap_).has_value();
   }
 
-  std::vector<SectionEnd> walk_p(bool forward) const {
-    std::vector<SectionEnd> result;
+  /// The possible ends of P, by how many vertices lie between them and the contact; nothing where a vertex is
+  /// out of sight of its foot.
+  std::vector<std::optional<SectionEnd>> walk_p(bool forward) const {
+    std::vector<std::optional<SectionEnd>> result;
     const std::size_t size = x_.cycle(x_.node(contact_.x.edge).cycle).size;
     const std::size_t limit = std::min(self_ ? std::size_t{3} : kMaxWalk, size - 1);
     Slot s = forward ? x_.next(contact_.x.edge) : contact_.x.edge;
@@ -95,7 +97,7 @@ class SectionSearch {
     for (std::size_t k = 0; k < limit; ++k, s = forward ? x_.next(s) : x_.prev(s)) {
       const auto foot = nearest_on_q(x_.at(s), forward);
       if (!foot) break;
-      if (visible(s, *foot)) result.push_back({s, *foot});
+      result.push_back(visible(s, *foot) ? std::optional(SectionEnd{s, *foot}) : std::nullopt);
     }
     return result;
   }

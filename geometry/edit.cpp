@@ -174,9 +174,11 @@ void Polygon::commit(const Edit& edit, EdgeIds& ids) {
   const auto ref = [this](Slot s) -> Node& { return nodes_[static_cast<std::uint32_t>(s)]; };
   const bool simple = edit.chains.size() == 1 && edit.loops.empty() && edit.removed_cycles.empty();
   std::vector<EdgeId> kept;  // identities that a new vertex brings along are not removed
-  for (const Chain& c : edit.chains)
+  for (const Chain& c : edit.chains) {
+    if (c.edge) kept.push_back(c.edge);
     for (const NewVertex& v : c.via)
       if (v.edge) kept.push_back(v.edge);
+  }
   for (const auto& loop : edit.loops)
     for (const NewVertex& v : loop)
       if (v.edge) kept.push_back(v.edge);
@@ -193,9 +195,9 @@ void Polygon::commit(const Edit& edit, EdgeIds& ids) {
   for (const Chain& c : edit.chains) {
     const CycleId id = node(c.from).cycle;
     Slot last = c.from;
-    ref(last).edge = ids.take();  // the edge that left `from` is gone
-    ref(last).shared = false;
-    created_.emplace_back(last, ref(last).edge);
+    ref(last).edge = c.edge ? c.edge : ids.take();  // the edge that left `from` is gone
+    ref(last).shared = c.shared;
+    if (!c.edge) created_.emplace_back(last, ref(last).edge);
     touched.push_back(last);
     for (const NewVertex& v : c.via) {
       const Slot s = add_node(v, id, ids);

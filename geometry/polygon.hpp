@@ -22,6 +22,8 @@ struct Chain {
   Slot from = kNoSlot;
   std::vector<NewVertex> via;
   Slot to = kNoSlot;
+  EdgeId edge{};        ///< of the edge that then leaves `from`: identity that survives; none: a new edge
+  bool shared = false;  ///< that edge is a shared edge
 };
 
 /// A candidate change of a polygon's boundary. What lies anticlockwise behind each chain's `from`, up to the
@@ -109,6 +111,9 @@ class Polygon {
 
   /// Makes the change. Precondition: judge(edit) == valid.
   void commit(const Edit&, EdgeIds&);
+
+  /// Marks the edge that leaves `s` as shared or not. Its identity stays.
+  void set_shared(Slot s, bool shared) { nodes_[static_cast<std::uint32_t>(s)].shared = shared; }
 
   /// Identities of edges removed, and slots of edges created, since last taken.
   std::vector<EdgeId> take_removed();

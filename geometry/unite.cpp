@@ -89,7 +89,8 @@ class Candidate {
     for (std::size_t k = 0; k < n; ++k) {
       std::size_t i = (first + k) % n;
       if (kept[i]) continue;
-      Chain chain{pieces[i].vertex, {}, kNoSlot};
+      const NewVertex start = vertex_of(pieces, i);
+      Chain chain{pieces[i].vertex, {}, kNoSlot, start.edge, start.shared};
       for (++k; k < n && !kept[(first + k) % n]; ++k) chain.via.push_back(vertex_of(pieces, (first + k) % n));
       chain.to = k < n ? pieces[(first + k) % n].vertex : open ? outline.end : pieces[first].vertex;
       if (chain.from == kNoSlot || chain.to == kNoSlot)
@@ -111,7 +112,7 @@ class Candidate {
       if (!kept && std::find(gone.begin(), gone.end(), id) == gone.end()) gone.push_back(id);
     }
     for (Chain& c : edit_.chains) {
-      drop_near(c.via, a_.at(c.from), a_.at(c.to));
+      drop_near(c);
       std::erase(gone, a_.node(c.from).cycle);
     }
     edit_.removed_cycles = std::move(gone);
@@ -139,28 +140,32 @@ class Candidate {
     edit_.loops.push_back(std::move(loop));
   }
 
-  static void drop_near(std::vector<NewVertex>& via, Point2 from, Point2 to) {
-    std::vector<NewVertex> result;
-    Point2 last = from;
-    for (const NewVertex& v : via) {
-      if (near(v.at, last) || near(v.at, to)) {
-        if (!result.empty()) result.back().edge = {}, result.back().shared = false;
-        continue;
-      }
-      result.push_back(v);
-      last = v.at;
-    }
-    via = std::move(result);
+  void drop_near(Chain& chain) const {
+    NewVertex start{a_.at(chain.from), chain.edge, chain.shared};
+    drop_near(start, chain.via, a_.at(chain.to));
+    chain.edge = start.edge, chain.shared = start.shared;
   }
 
   static void drop_near(std::vector<NewVertex>& loop) {
     if (loop.empty()) return;
     std::vector<NewVertex> rest(loop.begin() + 1, loop.end());
+    drop_near(loop.front(), rest, loop.front().at);
     loop.resize(1);
-    const Point2 start = loop.front().at;
-    if (!rest.empty() && near(start, rest.front().at)) loop.front().edge = {}, loop.front().shared = false;
-    drop_near(rest, start, start);
     loop.insert(loop.end(), rest.begin(), rest.end());
+  }
+
+  /// Drops the vertices closer than two steps to the one before, or to `to`; the edge before one that goes is
+  /// not what it was.
+  static void drop_near(NewVertex& start, std::vector<NewVertex>& via, Point2 to) {
+    std::vector<NewVertex> result;
+    for (const NewVertex& v : via) {
+      NewVertex& last = result.empty() ? start : result.back();
+      if (near(v.at, last.at) || near(v.at, to))
+        last.edge = {}, last.shared = false;
+      else
+        result.push_back(v);
+    }
+    via = std::move(result);
   }
 
   const Polygon &a_, &b_;
