@@ -158,6 +158,9 @@ void release_points(Engine&, Segment&, bool count_return);
 // fissures.cpp: §2.5 and step 3
 bool fill_modified(Engine&);
 
+// voids.cpp: holes that chance alone explains
+bool drop_chance_holes(Engine&, Segment&);
+
 // update.cpp: §2.3
 void update_set(Engine&, std::span<const SensorPoint>);
 void finish(Engine&);

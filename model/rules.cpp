@@ -8,7 +8,7 @@
 namespace limpet::model {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool Rules::*>, 10> kRules = {{
+constexpr std::array<std::pair<const char*, bool Rules::*>, 11> kRules = {{
     {"promotion", &Rules::promotion},
     {"chance", &Rules::chance},
     {"residual", &Rules::residual},
@@ -17,6 +17,7 @@ constexpr std::array<std::pair<const char*, bool Rules::*>, 10> kRules = {{
     {"refresh", &Rules::refresh},
     {"near", &Rules::near},
     {"holes", &Rules::holes},
+    {"voids", &Rules::voids},
     {"finish", &Rules::finish},
     {"expiry", &Rules::expiry},
 }};

@@ -19,6 +19,7 @@ struct Rules {
   bool refresh = true;  ///< the initial plane follows the fit while that is still uncertain
   bool near = true;     ///< points within λ/4 of a perimeter update the moments only
   bool holes = true;    ///< polygons have holes; perimeters are bridged where they meet themselves
+  bool voids = true;      ///< when finishing, holes that chance alone would leave empty at the scan's density are dropped
   bool finish = true;   ///< at the end of input everything is tried again until nothing changes
   bool expiry = true;   ///< small point segments that nothing joins for long are given up as outliers
 

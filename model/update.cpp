@@ -119,6 +119,9 @@ void finish(Engine& e) {
     clear_flags(e);
     if (!any) break;
   }
+  if (e.rules().voids)
+    for (const auto& s : e.segments)
+      if (s && s->polygon) drop_chance_holes(e, *s);
 }
 
 }  // namespace limpet::model::internal
