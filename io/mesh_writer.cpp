@@ -51,7 +51,10 @@ Mesh build(const PolygonMesh& faces) {
     for (const int vertex : face.vertices) corners.push_back(vertices[vertex]);
     Mesh::FaceHandle added = mesh.add_face(corners);
     if (!added.is_valid()) {  // not manifold here: stands beside its neighbours, over vertices of its own
-      for (auto& corner : corners) corner = mesh.add_vertex(mesh.point(corner));
+      for (auto& corner : corners) {
+        const Mesh::Point at = mesh.point(corner);  // a copy: the new vertex may move the others
+        corner = mesh.add_vertex(at);
+      }
       added = mesh.add_face(corners);
     }
     mesh.colors.push_back(segment_color(face.segment));

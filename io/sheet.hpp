@@ -34,7 +34,7 @@ struct Panel {
   double left = 0, top = 0, width = 0, height = 0;
   std::vector<Patch> patches;
   std::vector<Eigen::Vector3d> loose;
-  double shared_width = 1.6, open_width = 2.6, vertex_radius = 2.4, loose_radius = 1.2;
+  double shared_width = 1.6, open_width = 2.6, vertex_radius = 2.4, loose_radius = 1.6;
 };
 
 /// A line of text: (left, base) is the left end of its base line, `size` the height of its capitals.
