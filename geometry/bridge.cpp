@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxWalk = 256;
 constexpr std::size_t kMaxAttempts = 24;
+constexpr std::size_t kMaxContacts = 24;
 
 /// An end of section Q: a vertex of Y, or a point that cuts the edge leaving `edge`.
 struct Foot {
@@ -48,7 +49,8 @@ class SectionSearch {
     for (std::size_t total = back.size() + forward.size(); total-- > 0;)
       for (std::size_t i = std::min(total + 1, back.size()); i-- > 0;) {
         const std::size_t j = total - i;
-        if (j >= forward.size() || i + j + 2 > size) continue;
+        const std::size_t edges = i + j + (contact_.x.fraction == 0 ? 0 : 1);  // of P
+        if (j >= forward.size() || edges == 0 || edges >= size) continue;
         if (!back[i] || !forward[j] || !ordered(forward[j]->foot, back[i]->foot)) continue;
         if (attempt(*back[i], *forward[j])) return true;
         if (++attempts == kMaxAttempts) return false;
@@ -91,9 +93,8 @@ class SectionSearch {
     std::vector<std::optional<SectionEnd>> result;
     const std::size_t size = x_.cycle(x_.node(contact_.x.edge).cycle).size;
     const std::size_t limit = std::min(self_ ? std::size_t{3} : kMaxWalk, size - 1);
-    Slot s = forward ? x_.next(contact_.x.edge) : contact_.x.edge;
     // With the contact at a vertex, P may begin or end there.
-    if (self_ && forward) s = contact_.x.edge;
+    Slot s = forward && contact_.x.fraction > 0 ? x_.next(contact_.x.edge) : contact_.x.edge;
     for (std::size_t k = 0; k < limit; ++k, s = forward ? x_.next(s) : x_.prev(s)) {
       const auto foot = nearest_on_q(x_.at(s), forward);
       if (!foot) break;
@@ -205,26 +206,42 @@ Edit split(const Polygon& a, const SectionEnd& p1, const SectionEnd& p2) {
   return edit;
 }
 
-std::optional<Contact> nearest_contact(const Polygon& a, const Polygon& b, double gap) {
-  std::optional<Contact> best;
-  const auto consider = [&](const PerimeterPoint& x, const PerimeterPoint& y) {
-    if (!best || x.squared_distance < best->x.squared_distance) best = Contact{x, y};
+/// Vertices of either polygon within gap of the other's perimeter, with their nearest points there, nearest
+/// first. Without crossings the nearest pair of all has a vertex on one side.
+std::vector<Contact> contacts(const Polygon& a, const Polygon& b, double gap) {
+  std::vector<Contact> result;
+  const auto at_start = [](const Polygon& p,
+                           PerimeterPoint q) {  // the end of an edge is the start of the next
+    if (q.fraction == 1) q.edge = p.next(q.edge), q.fraction = 0;
+    return q;
   };
-  // Without crossings the nearest pair has a vertex on one side.
   for (std::uint32_t i = 0; i < b.slot_count(); ++i) {
     const Slot s{i};
     if (!b.alive(s)) continue;
     if (const auto x = nearest_perimeter_point(a, b.at(s), gap))
-      consider(*x, {s, 0, b.at(s), x->squared_distance});
+      result.push_back({at_start(a, *x), {s, 0, b.at(s), x->squared_distance}});
   }
   const Box2 around = b.box().grown(gap);
   a.any_edge_near(around, [&](Slot s) {
     if (!around.contains(a.at(s))) return false;
     if (const auto y = nearest_perimeter_point(b, a.at(s), gap))
-      consider({s, 0, a.at(s), y->squared_distance}, *y);
+      result.push_back({{s, 0, a.at(s), y->squared_distance}, at_start(b, *y)});
     return false;
   });
-  return best;
+  std::sort(result.begin(), result.end(), [&](const Contact& p, const Contact& q) {
+    if (p.x.squared_distance != q.x.squared_distance) return p.x.squared_distance < q.x.squared_distance;
+    const auto key = [&](const Contact& c) {
+      return std::pair(a.node(c.x.edge).edge, b.node(c.y.edge).edge);
+    };
+    return key(p) < key(q);
+  });
+  result.erase(std::unique(result.begin(), result.end(),
+                           [](const Contact& p, const Contact& q) {
+                             return p.x.edge == q.x.edge && p.y.edge == q.y.edge &&
+                                    p.x.fraction == q.x.fraction && p.y.fraction == q.y.fraction;
+                           }),
+               result.end());
+  return result;
 }
 
 /// Does the way from vertex v to p leave on the outside of the perimeter?
@@ -252,19 +269,25 @@ bool apart_along(const Polygon& polygon, Slot v, Slot f, double length) {
 }  // namespace
 
 bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
-  const auto contact = nearest_contact(a, b, gap);
-  if (!contact) return false;
   const auto attempt = [&](const Edit& edit) {
     if (a.judge(edit) != Verdict::valid) return false;
     a.commit(edit, ids);
     return true;
   };
-  if (SectionSearch(a, b, *contact, gap).search([&](const SectionEnd& p1, const SectionEnd& p2) {
-        return attempt(join_p_on_a(b, p1, p2));
-      }))
-    return true;
-  return SectionSearch(b, a, {contact->y, contact->x}, gap)
-      .search([&](const SectionEnd& p1, const SectionEnd& p2) { return attempt(join_p_on_b(a, b, p1, p2)); });
+  const auto around = contacts(a, b, gap);
+  for (std::size_t k = 0; k < std::min(around.size(), kMaxContacts); ++k) {
+    const Contact& contact = around[k];
+    if (SectionSearch(a, b, contact, gap).search([&](const SectionEnd& p1, const SectionEnd& p2) {
+          return attempt(join_p_on_a(b, p1, p2));
+        }))
+      return true;
+    if (SectionSearch(b, a, {contact.y, contact.x}, gap)
+            .search([&](const SectionEnd& p1, const SectionEnd& p2) {
+              return attempt(join_p_on_b(a, b, p1, p2));
+            }))
+      return true;
+  }
+  return false;
 }
 
 bool bridge_self(Polygon& polygon, Slot vertex, double gap, EdgeIds& ids) {
