@@ -197,7 +197,7 @@ void Polygon::commit(const Edit& edit, EdgeIds& ids) {
     Slot last = c.from;
     ref(last).edge = c.edge ? c.edge : ids.take();  // the edge that left `from` is gone
     ref(last).shared = c.shared;
-    if (!c.edge) created_.emplace_back(last, ref(last).edge);
+    created_.emplace_back(last, ref(last).edge);
     touched.push_back(last);
     for (const NewVertex& v : c.via) {
       const Slot s = add_node(v, id, ids);

@@ -3,6 +3,7 @@
 
 #include <limpet/geometry/bridge.hpp>
 #include <limpet/geometry/predicates.hpp>
+#include <limpet/geometry/search.hpp>
 #include <limpet/geometry/unite.hpp>
 
 namespace limpet::geometry {
@@ -25,6 +26,15 @@ bool any_vertex_inside(const Polygon& vertices_of, const Polygon& polygon) {
   return false;
 }
 
+bool within_gap(const Polygon& a, const Polygon& b, double gap) {
+  for (std::uint32_t i = 0; i < b.slot_count(); ++i)
+    if (b.alive(Slot{i}) && nearest_perimeter_point(a, b.at(Slot{i}), gap)) return true;
+  const Box2 around = b.box().grown(gap);
+  return a.any_edge_near(around, [&](Slot s) {
+    return around.contains(a.at(s)) && nearest_perimeter_point(b, a.at(s), gap).has_value();
+  });
+}
+
 bool no_edge_in(const Polygon& polygon, const Box2& box) {
   return !polygon.any_edge_near(box, [](Slot) { return true; });
 }
@@ -38,12 +48,8 @@ Merger merge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
   } else if (perimeters_meet(a, b) || any_vertex_inside(b, a) || any_vertex_inside(a, b)) {
     return unite(a, b, gap, ids) ? Merger::united : Merger::refused;
   }
-  // Disjoint. Is anything near at all?
-  bool near = false;
-  for (std::uint32_t i = 0; i < b.slot_count() && !near; ++i)
-    near = b.alive(Slot{i}) && !no_edge_in(a, box_of(b.at(Slot{i}), b.end(Slot{i})).grown(gap));
-  if (!near) return Merger::too_far;
-  return bridge_polygons(a, b, gap, ids) ? Merger::bridged : Merger::refused;
+  if (bridge_polygons(a, b, gap, ids)) return Merger::bridged;
+  return within_gap(a, b, gap) ? Merger::refused : Merger::too_far;
 }
 
 }  // namespace limpet::geometry

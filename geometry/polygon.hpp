@@ -115,7 +115,8 @@ class Polygon {
   /// Marks the edge that leaves `s` as shared or not. Its identity stays.
   void set_shared(Slot s, bool shared) { nodes_[static_cast<std::uint32_t>(s)].shared = shared; }
 
-  /// Identities of edges removed, and slots of edges created, since last taken.
+  /// Identities of edges removed, and slots of edges put in place (new ones, and those whose identity came
+  /// along), since last taken.
   std::vector<EdgeId> take_removed();
   std::vector<std::pair<Slot, EdgeId>> take_created();
 

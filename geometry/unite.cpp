@@ -79,8 +79,11 @@ class Candidate {
     for (std::size_t i = 0; i < n; ++i) {
       const OutlinePiece& p = pieces[i];
       kept[i] = p.vertex != kNoSlot && p.edge_a == p.vertex && after(i) == a_.next(p.vertex);
-      if (kept[i]) kept_edges_.push_back(p.vertex);
     }
+    const bool untouched = std::find(kept.begin(), kept.end(), 0) == kept.end();
+    if (!open && !untouched && vanishes(pieces)) return;
+    for (std::size_t i = 0; i < n; ++i)
+      if (kept[i]) kept_edges_.push_back(pieces[i].vertex);
     std::size_t first = 0;
     if (!open) {
       while (first < n && !kept[first]) ++first;
@@ -129,14 +132,21 @@ class Candidate {
     return v;
   }
 
-  void add_loop(const std::vector<OutlinePiece>& pieces) {
+  /// Is the outline that of a hole narrower than the resolution? Such a hole is none.
+  bool vanishes(const std::vector<OutlinePiece>& pieces) const {
     std::vector<NewVertex> loop;
-    for (std::size_t i = 0; i < pieces.size(); ++i) loop.push_back(vertex_of(pieces, i));
-    const bool hole = orientation_of(loop) <= 0;
+    for (const OutlinePiece& p : pieces) loop.push_back({p.at});
+    if (orientation_of(loop) > 0) return false;
     drop_near(loop);
     std::vector<Point2> points;
     for (const NewVertex& v : loop) points.push_back(v.at);
-    if (hole && collapses(points, gap_)) return;  // a hole narrower than the resolution is none
+    return collapses(points, gap_);
+  }
+
+  void add_loop(const std::vector<OutlinePiece>& pieces) {
+    std::vector<NewVertex> loop;
+    for (std::size_t i = 0; i < pieces.size(); ++i) loop.push_back(vertex_of(pieces, i));
+    drop_near(loop);
     edit_.loops.push_back(std::move(loop));
   }
 
@@ -154,16 +164,21 @@ class Candidate {
     loop.insert(loop.end(), rest.begin(), rest.end());
   }
 
-  /// Drops the vertices closer than two steps to the one before, or to `to`; the edge before one that goes is
-  /// not what it was.
+  /// Drops vertices closer than two steps to the one before, and last ones as close to `to`; the edge before
+  /// one that goes is not what it was.
   static void drop_near(NewVertex& start, std::vector<NewVertex>& via, Point2 to) {
     std::vector<NewVertex> result;
+    const auto last = [&]() -> NewVertex& { return result.empty() ? start : result.back(); };
+    const auto drop_after_last = [&] { last().edge = {}, last().shared = false; };
     for (const NewVertex& v : via) {
-      NewVertex& last = result.empty() ? start : result.back();
-      if (near(v.at, last.at) || near(v.at, to))
-        last.edge = {}, last.shared = false;
+      if (near(v.at, last().at))
+        drop_after_last();
       else
         result.push_back(v);
+    }
+    while (!result.empty() && near(result.back().at, to)) {
+      result.pop_back();
+      drop_after_last();
     }
     via = std::move(result);
   }

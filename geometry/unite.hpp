@@ -9,7 +9,8 @@ namespace limpet::geometry {
 /// Polygons"), by a planar arrangement of b's edges and those of a in b's window, with the source edge of
 /// every piece carried along: edges that survive whole keep their identities. Crossings, coincident
 /// stretches, touching vertices, and one inside the other are all decided exactly. Holes formed are dropped
-/// when they collapse at `gap` (λ, grid steps), else kept.
+/// when they collapse at `gap` (λ, grid steps), else kept; what is left of a hole that reaches beyond b's
+/// window is left to fill_fissures().
 ///
 /// The candidate's vertices are rounded and then judged. Where rounding or a touching vertex broke it, b's
 /// vertices are moved by a few grid steps (up to λ/128, far below what a perimeter is known to) and the
