@@ -1,0 +1,102 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/app/arguments.hpp>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limpet/io/error.hpp>
+#include <limpet/io/output_file.hpp>
+#include <limpet/io/text.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace limpet::app {
+namespace {
+
+std::optional<double> to_number(std::string_view text) {
+  double value = 0;
+  if (!io::parse_double(text, value) || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Numbers separated by commas; nothing when one of them is none.
+std::vector<double> to_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (;;) {
+    const auto comma = text.find(',');
+    const auto number = to_number(text.substr(0, comma));
+    if (!number) return {};
+    numbers.push_back(*number);
+    if (comma == std::string_view::npos) return numbers;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+}  // namespace
+
+Eigen::Vector3d parse_vector(const std::string& option, const std::string& text) {
+  const auto numbers = to_numbers(text);
+  if (numbers.size() != 3) {
+    throw UsageError(option + " '" + text + "': give three numbers separated by commas, as in " + option +
+                     " 0,0,1.5");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+double parse_length(const std::string& option, const std::string& text, bool zero) {
+  const auto number = to_number(text);
+  if (!number) throw UsageError(option + " '" + text + "': is not a number");
+  if (*number < 0 || (!zero && *number == 0)) {
+    throw UsageError(option + " " + text + ": must be " + (zero ? "0 or more" : "more than 0"));
+  }
+  return *number;
+}
+
+NoiseArgument parse_noise(const std::string& option, const std::string& text) {
+  const auto numbers = to_numbers(text);
+  if (numbers.empty() || numbers.size() > 2) {
+    throw UsageError(option + " '" + text + "': give a, or a,b for a + b times the range");
+  }
+  const NoiseArgument noise{numbers[0], numbers.size() == 2 ? numbers[1] : 0};
+  if (noise.fixed < 0 || noise.per_range < 0) throw UsageError(option + " " + text + ": must be 0 or more");
+  return noise;
+}
+
+std::string short_text(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", number);
+  return text;
+}
+
+void require_writable(const std::string& path) {
+  namespace fs = std::filesystem;
+  if (path.empty()) throw io::OutputError("the name of an output file is empty");
+  std::error_code error;
+  const fs::path target(path);
+  if (fs::is_directory(target, error)) throw io::OutputError(path + ": is a folder; give a file name");
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, error)) {
+    throw io::OutputError(path + ": there is no folder " + folder.string());
+  }
+  const bool device = fs::exists(target, error) && !fs::is_regular_file(target, error);
+  if (!device && ::access(folder.c_str(), W_OK) != 0) {
+    throw io::OutputError(path + ": the folder " + folder.string() + " cannot be written to");
+  }
+}
+
+void save_text(const std::string& path, const std::string& text) {
+  if (path == "-") {
+    std::cout << text << std::flush;
+    if (!std::cout) throw io::OutputError("standard output: cannot be written");
+    return;
+  }
+  io::OutputFile file(path);
+  file.write(text);
+  file.close();
+}
+
+}  // namespace limpet::app

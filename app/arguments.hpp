@@ -1,0 +1,38 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <stdexcept>
+#include <string>
+
+namespace limpet::app {
+
+/// What was asked for makes no sense. what() is one line that says what to do instead.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// "x,y,z" as given to `option`. Throws UsageError.
+Eigen::Vector3d parse_vector(const std::string& option, const std::string& text);
+
+/// A length that must be positive (or, with `zero`, not negative) and finite. Throws UsageError.
+double parse_length(const std::string& option, const std::string& text, bool zero);
+
+/// "a" or "a,b": the standard deviation of a reading is a + b · range.
+struct NoiseArgument {
+  double fixed = 0;      ///< a, scan's unit
+  double per_range = 0;  ///< b
+};
+NoiseArgument parse_noise(const std::string& option, const std::string& text);
+
+/// A number for people: up to four digits.
+std::string short_text(double number);
+
+/// Refuses, before any work is done, an output whose folder does not exist or cannot be written to.
+/// Throws io::OutputError.
+void require_writable(const std::string& path);
+
+/// Writes a small text file, "-" being standard output. Throws io::OutputError.
+void save_text(const std::string& path, const std::string& text);
+
+}  // namespace limpet::app

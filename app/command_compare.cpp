@@ -1,0 +1,95 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <cmath>
+#include <cstdio>
+#include <limpet/app/arguments.hpp>
+#include <limpet/app/commands.hpp>
+#include <limpet/io/native.hpp>
+#include <limpet/io/text.hpp>
+#include <limpet/simulation/judgement.hpp>
+#include <limpet/simulation/mesh.hpp>
+#include <limpet/simulation/scene.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace limpet::app {
+namespace {
+
+/// What is compared, whatever kind of file it came from.
+struct Subject {
+  std::vector<simulation::PlanarFace> faces;
+  std::int64_t edges = 0, open_edges = 0;
+  bool closed() const { return edges > 0 && open_edges == 0; }
+};
+
+Subject load_subject(const std::string& path) {
+  if (io::extension_of(path) == "limpet") {
+    const model::ModelRecord record = io::load_native(path);
+    const simulation::Closedness closedness = simulation::closedness(record);
+    return {simulation::planar_faces(record), closedness.edges, closedness.open_edges};
+  }
+  // A model may face inward as well as outward: it is compared as it stands.
+  const simulation::Mesh mesh = simulation::load_mesh(path, simulation::kPlanarity, true);
+  const simulation::EdgeCounts edges = simulation::count_edges(mesh);
+  return {simulation::planar_faces(mesh), edges.edges, edges.open};
+}
+
+nlohmann::ordered_json to_json(const simulation::DistanceSummary& d) {
+  // JSON has no infinity: a model without area has null distances.
+  const auto number = [](double x) {
+    return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
+  };
+  return {{"max", number(d.max)},
+          {"mean", number(d.mean)},
+          {"median", number(d.median)},
+          {"p90", number(d.p90)},
+          {"p99", number(d.p99)}};
+}
+
+void print_row(const char* name, const simulation::DistanceSummary& d) {
+  std::printf("%s  mean %-10.4g median %-10.4g 90 %% %-10.4g 99 %% %-10.4g max %.4g\n", name, d.mean,
+              d.median, d.p90, d.p99, d.max);
+}
+
+}  // namespace
+
+int run(const CompareArguments& args) {
+  const Subject subject = load_subject(args.model);
+  const simulation::Mesh truth = simulation::make_scene(args.truth).mesh;
+  const simulation::Comparison c = simulation::compare(subject.faces, truth);
+  const double worst = std::max(c.model_to_truth.max, c.truth_to_model.max);
+  const bool near = !args.max_distance || worst <= *args.max_distance;
+  const bool faces = !args.faces_exact || c.polygons == c.true_faces;
+
+  if (!args.json.empty()) {
+    nlohmann::ordered_json json;
+    json["model_to_truth"] = to_json(c.model_to_truth);
+    json["truth_to_model"] = to_json(c.truth_to_model);
+    json["polygons"] = c.polygons;
+    json["true_faces"] = c.true_faces;
+    json["model_area"] = c.model_area;
+    json["true_area"] = c.true_area;
+    json["open_edges"] = subject.open_edges;
+    json["closed"] = subject.closed();
+    json["within_bounds"] = near && faces;
+    save_text(args.json, json.dump(2) + "\n");
+  }
+  if (!args.quiet && args.json != "-") {
+    print_row("model to truth:", c.model_to_truth);
+    print_row("truth to model:", c.truth_to_model);
+    std::printf("polygons %ld, true faces %ld; area %.6g, true area %.6g; %s\n",
+                static_cast<long>(c.polygons), static_cast<long>(c.true_faces), c.model_area, c.true_area,
+                subject.closed() ? "closed" : (std::to_string(subject.open_edges) + " open edges").c_str());
+  }
+  if (!near) {
+    std::fprintf(stderr,
+                 "limpet: outside the bounds: the largest distance %.6g is above --max-distance %.6g\n",
+                 worst, *args.max_distance);
+  }
+  if (!faces) {
+    std::fprintf(stderr, "limpet: outside the bounds: %ld polygons for %ld true faces\n",
+                 static_cast<long>(c.polygons), static_cast<long>(c.true_faces));
+  }
+  return near && faces ? kDone : kFallsShort;
+}
+
+}  // namespace limpet::app

@@ -1,0 +1,59 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limpet/app/arguments.hpp>
+#include <limpet/app/commands.hpp>
+#include <limpet/io/drawing.hpp>
+#include <limpet/io/error.hpp>
+#include <limpet/io/native.hpp>
+#include <limpet/io/text.hpp>
+
+namespace limpet::app {
+namespace {
+
+io::View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& given_up) {
+  const auto is_along = [&](const Eigen::Vector3d& up) {
+    return !(up.cross(from).norm() > 1e-6 * up.norm() * from.norm());
+  };
+  if (is_along(Eigen::Vector3d::UnitX()) && is_along(Eigen::Vector3d::UnitY())) {
+    throw UsageError("--view 0,0,0: give a direction");
+  }
+  if (given_up && is_along(*given_up)) throw UsageError("--up lies along --view; give another");
+  io::View view;
+  view.toward = -from;
+  if (given_up) {
+    view.up = *given_up;
+  } else {
+    view.up = is_along(Eigen::Vector3d::UnitZ()) ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+  }
+  view.name = "from " + short_text(from.x()) + ", " + short_text(from.y()) + ", " + short_text(from.z());
+  return view;
+}
+
+}  // namespace
+
+int run(const DrawArguments& args) {
+  require_writable(args.picture);
+  const std::string extension = io::extension_of(args.picture);
+  if (extension != "png" && extension != "svg") {
+    throw UsageError("-o " + args.picture + ": a picture is written as .png or .svg");
+  }
+  std::vector<io::Figure> figures;
+  for (const std::string& path : args.models) {
+    figures.push_back({io::load_native(path), std::filesystem::path(path).stem().string()});
+  }
+  io::DrawOptions options;
+  options.width = args.width;
+  for (const Eigen::Vector3d& from : args.views) options.views.push_back(view_from(from, args.up));
+  if (args.up && args.views.empty()) {
+    options.views = io::default_views(figures);
+    for (io::View& view : options.views) view.up = view_from(-view.toward, args.up).up;
+  }
+  io::draw(figures, args.picture, options);
+  if (!args.quiet) std::printf("written: %s\n", args.picture.c_str());
+  return kDone;
+}
+
+}  // namespace limpet::app

@@ -1,0 +1,244 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <limpet/app/arguments.hpp>
+#include <limpet/app/commands.hpp>
+#include <limpet/app/estimate.hpp>
+#include <limpet/app/interrupt.hpp>
+#include <limpet/app/point_stream.hpp>
+#include <limpet/app/progress.hpp>
+#include <limpet/app/stages.hpp>
+#include <limpet/app/summary.hpp>
+#include <limpet/io/error.hpp>
+#include <limpet/io/mesh_writer.hpp>
+#include <limpet/io/text.hpp>
+#include <limpet/model/model.hpp>
+
+namespace limpet::app {
+namespace {
+
+constexpr std::int64_t kLookAheadFile = 2'000'000, kLookAheadStream = 100'000;
+constexpr double kEnoughPoints = 3;  ///< per λ²; with fewer nothing links up
+
+void require_outputs(const ModelArguments& args) {
+  for (const std::string& path : args.models) {
+    const std::string extension = io::extension_of(path);
+    if (extension != "limpet" && !io::is_mesh_extension(extension)) {
+      throw UsageError("-o " + path + ": a model is written as .limpet, .off, .ply, .obj or .stl");
+    }
+    require_writable(path);
+  }
+  if (!args.labels.empty()) require_writable(args.labels);
+  if (!args.json.empty() && args.json != "-") require_writable(args.json);
+}
+
+/// With --json - standard output is for the summary alone.
+std::FILE* for_people(const ModelArguments& args) { return args.json == "-" ? stderr : stdout; }
+
+void require_points(PointStream& scan, const ModelArguments& args) {
+  const std::string name = scan.is_standard_input() ? "standard input" : args.scan;
+  const io::ScanRecord* first = scan.first();
+  if (first == nullptr) {
+    if (!scan.damage().empty()) throw io::InputError(scan.damage());
+    const std::string none = scan.skipped() > 0 ? " (" + grouped(scan.skipped()) + " records are none)" : "";
+    throw io::InputError(name, "holds no point" + none);
+  }
+  if (!first->has_axis) {
+    throw io::InputError(
+        name, "says neither normals nor sensing axes; give --viewpoint x,y,z, where the sensor stood");
+  }
+}
+
+/// λ and noise as given, or else from the scan, which is then said.
+model::Parameters choose_parameters(const ModelArguments& args, PointStream& scan, std::int64_t& points) {
+  model::Parameters parameters;
+  parameters.angle_rad = args.angle_deg * M_PI / 180;
+  parameters.tolerance = args.tolerance;
+  parameters.rules = args.rules;
+  points = scan.promised();
+  if (args.resolution && args.noise) {
+    parameters.resolution = *args.resolution;
+    parameters.noise = *args.noise;
+    return parameters;
+  }
+  const std::int64_t most = scan.is_standard_input() ? kLookAheadStream : kLookAheadFile;
+  const Estimate found = estimate([&](const Take& take) { scan.look_ahead(most, take); });
+  if (found.points < most) points = found.points;
+  parameters.noise = args.noise.value_or(found.noise);
+  if (args.resolution) {
+    parameters.resolution = *args.resolution;
+  } else if (found.area_per_point > 0) {
+    parameters.resolution = suitable_resolution(found.area_per_point, parameters.noise);
+  } else {
+    throw io::InputError(args.scan,
+                         "too few points lie on a surface to choose a resolution; give --resolution");
+  }
+  if (!args.quiet) {
+    std::string text;
+    if (!args.resolution) text += " resolution " + short_text(parameters.resolution);
+    if (!args.noise) text += (text.empty() ? " noise " : ", noise ") + short_text(parameters.noise);
+    std::fprintf(for_people(args), "chosen from the scan:%s\n", text.c_str());
+  }
+  return parameters;
+}
+
+/// How many records without a point stand before which point, for --labels.
+class Gaps {
+ public:
+  void add(std::int64_t before_point, std::int64_t records) {
+    if (records > 0) gaps_.emplace_back(before_point, records);
+  }
+  std::string label_lines(const std::vector<model::SegmentId>& labels) const {
+    std::string text;
+    auto gap = gaps_.begin();
+    for (std::size_t i = 0; i <= labels.size(); ++i) {
+      for (; gap != gaps_.end() && gap->first == static_cast<std::int64_t>(i); ++gap) {
+        for (std::int64_t k = 0; k < gap->second; ++k) text += "0\n";
+      }
+      if (i < labels.size()) text += std::to_string(labels[i].value) + "\n";
+    }
+    return text;
+  }
+
+ private:
+  std::vector<std::pair<std::int64_t, std::int64_t>> gaps_;
+};
+
+/// One run, from the first set to the last file.
+class Run {
+ public:
+  explicit Run(const ModelArguments& args)
+      : args_(args), scan_(args.scan, {args.viewpoint, {}}), stages_(args.stages) {}
+
+  int go() {
+    require_points(scan_, args_);
+    std::int64_t total = -1;
+    const model::Parameters parameters = choose_parameters(args_, scan_, total);
+    model::Model model = make_model(parameters);
+    if (!args_.labels.empty()) model.keep_labels();
+    read_all(model, total);
+    const model::ModelRecord record = model.record();
+    judge(record, "the final model");
+    const Summary summary = summarise_run(record);
+    save(model, record, summary);
+    report(summary);
+    if (!summary.damage.empty())
+      throw io::InputError(summary.damage + "; what was read before it is modelled");
+    return summary.violations > 0 || summary.interrupted ? kFallsShort : kDone;
+  }
+
+ private:
+  static model::Model make_model(const model::Parameters& parameters) {
+    try {
+      return model::Model(parameters);
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(error.what());
+    }
+  }
+
+  void read_all(model::Model& model, std::int64_t total) {
+    Progress progress("modelling", total, args_.quiet);
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<model::SensorPoint> set;
+    while (!interrupted()) {
+      read_set(set);
+      if (set.empty()) break;
+      model.update(set);
+      stages_.look(model);
+      ++sets_;
+      if (args_.check_every > 0 && sets_ % args_.check_every == 0) {
+        judge(model.record(), "set " + std::to_string(sets_));
+      }
+      progress.step(given_);
+    }
+    interrupted_ = interrupted();
+    if (!interrupted_) model.finish();
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() - judging_;
+    gaps_.add(given_, scan_.skipped_at_end());
+  }
+
+  void read_set(std::vector<model::SensorPoint>& set) {
+    set.clear();
+    model::SensorPoint point;
+    std::int64_t skipped = 0;
+    while (static_cast<std::int64_t>(set.size()) < args_.set_size && !interrupted() &&
+           scan_.next(point, skipped)) {
+      gaps_.add(given_++, skipped);
+      set.push_back(point);
+      sample_.add(point);
+    }
+  }
+
+  void judge(const model::ModelRecord& record, const std::string& when) {
+    const auto start = std::chrono::steady_clock::now();
+    for (const auto& violation : app::judge(record)) {
+      if (violations_++ < 20) {
+        std::fprintf(stderr, "limpet: broken after %s: %s, %s: %s\n", when.c_str(), violation.law.c_str(),
+                     violation.where.c_str(), violation.what.c_str());
+      }
+    }
+    judging_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  Summary summarise_run(const model::ModelRecord& record) const {
+    Summary summary = summarise(record);
+    summary.refused += scan_.skipped();
+    summary.violations = violations_;
+    summary.seconds = seconds_;
+    summary.interrupted = interrupted_;
+    if (!interrupted_) summary.damage = scan_.damage();
+    return summary;
+  }
+
+  void save(const model::Model& model, const model::ModelRecord& record, const Summary& summary) const {
+    for (const std::string& path : args_.models) io::save_model(path, record);
+    if (args_.stages > 0) stages_.save(args_.models.front(), record);
+    if (!args_.labels.empty()) save_text(args_.labels, gaps_.label_lines(model.labels()));
+    if (!args_.json.empty()) save_text(args_.json, to_json(summary));
+  }
+
+  void report(const Summary& summary) const {
+    if (summary.interrupted) {
+      std::fprintf(stderr, "limpet: interrupted after %s points; the model so far is written\n",
+                   grouped(summary.points).c_str());
+    }
+    warn_of_density(summary);
+    if (args_.quiet) return;
+    std::string text = to_text(summary) + "written:";
+    for (const std::string& path : args_.models) text += " " + path;
+    std::fprintf(for_people(args_), "%s\n", text.c_str());
+  }
+
+  void warn_of_density(const Summary& summary) const {
+    const double area = estimate(sample_).area_per_point;
+    const double density = summary.resolution * summary.resolution / area;
+    if (!(area > 0) || density >= kEnoughPoints) return;
+    std::fprintf(stderr,
+                 "limpet: warning: %.1f points per square of the resolution %.4g are too few for surfaces to "
+                 "link up; --resolution %.3g would do\n",
+                 density, summary.resolution, suitable_resolution(area, summary.noise));
+  }
+
+  const ModelArguments& args_;
+  PointStream scan_;
+  Stages stages_;
+  Sample sample_;
+  Gaps gaps_;
+  std::int64_t given_ = 0;  ///< points handed to the model
+  std::int64_t sets_ = 0, violations_ = 0;
+  double seconds_ = 0, judging_ = 0;
+  bool interrupted_ = false;
+};
+
+}  // namespace
+
+int run(const ModelArguments& args) {
+  require_outputs(args);
+  catch_interrupts();
+  return Run(args).go();
+}
+
+}  // namespace limpet::app

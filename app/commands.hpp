@@ -1,0 +1,83 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limpet/model/rules.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The commands of the program, each in a file of its own. A command returns its exit code; it throws
+/// UsageError, io::InputError, io::OutputError or simulation::MeshError for what is the caller's to mend.
+namespace limpet::app {
+
+/// Exit codes (a contract: scripts rely on them).
+enum ExitCode : int {
+  kDone = 0,
+  kFallsShort = 1,  ///< a broken invariant, a run that was interrupted, a comparison outside its bounds
+  kBadInput = 2,    ///< bad usage, damaged input, output that cannot be written
+};
+
+struct ModelArguments {
+  std::string scan;
+  std::vector<std::string> models;   ///< where to write the model; the format by extension
+  std::optional<double> resolution;  ///< scan's unit; chosen from the scan when not given
+  double angle_deg = 10;
+  std::optional<double> noise;  ///< scan's unit; chosen from the scan when not given
+  double tolerance = 0;         ///< scan's unit; 0: by noise
+  std::int64_t set_size = 26;
+  std::optional<Eigen::Vector3d> viewpoint;
+  model::Rules rules;
+  std::string labels;
+  std::string json;
+  std::int64_t check_every = 0;  ///< sets; 0: the final model only
+  int stages = 0;                ///< models to keep along the way
+  bool quiet = false;
+};
+int run(const ModelArguments&);
+
+struct ScanArguments {
+  std::string mesh;  ///< the name of a shape, or a mesh file
+  std::string scan;
+  std::int64_t points = 100'000;
+  std::string order = "raster";
+  double noise = 0;            ///< scan's unit
+  double noise_per_range = 0;  ///< added to it times the range
+  double outliers = 0;         ///< a fraction
+  std::uint64_t seed = 1;
+  std::vector<Eigen::Vector3d> viewpoints;
+  bool faces = false;  ///< write the true face of each point too
+  bool ascii = false;
+  bool quiet = false;
+};
+int run(const ScanArguments&);
+
+struct CheckArguments {
+  std::string model;
+  std::string json;
+  bool quiet = false;
+};
+int run(const CheckArguments&);
+
+struct CompareArguments {
+  std::string model;
+  std::string truth;                   ///< the name of a shape, or a mesh file
+  std::optional<double> max_distance;  ///< both ways, scan's unit
+  bool faces_exact = false;            ///< as many polygons as true faces
+  std::string json;
+  bool quiet = false;
+};
+int run(const CompareArguments&);
+
+struct DrawArguments {
+  std::vector<std::string> models;
+  std::string picture;
+  int width = 1600;                    ///< pixels
+  std::vector<Eigen::Vector3d> views;  ///< from where to look, as seen from the model
+  std::optional<Eigen::Vector3d> up;
+  bool quiet = false;
+};
+int run(const DrawArguments&);
+
+}  // namespace limpet::app

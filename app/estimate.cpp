@@ -1,0 +1,214 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// The surface's area per point and the noise, from the neighbours of some points of the scan. Both are taken
+// at the smallest scale at which the neighbourhood looks like a surface: below the noise a scan is a cloud.
+#include <limpet/app/estimate.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace limpet::app {
+namespace {
+
+namespace bg = boost::geometry;
+namespace bgi = boost::geometry::index;
+using Point = bg::model::point<double, 3, bg::cs::cartesian>;
+using Box = bg::model::box<Point>;
+using PointTree = bgi::rtree<std::pair<Point, std::uint32_t>, bgi::rstar<16>>;
+using BoxTree = bgi::rtree<std::pair<Box, std::uint32_t>, bgi::rstar<16>>;
+
+constexpr std::size_t kCentres = 1000;
+constexpr int kNeighbours = 16;
+constexpr double kFlat = 0.15;  ///< thickness over radius below which a neighbourhood is a surface
+
+Point to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+
+/// Points around a centre, and the radius within which they are all there are of a sample.
+struct Neighbourhood {
+  std::vector<Eigen::Vector3d> points;
+  double radius = 0;
+  double weight = 1;  ///< points of the scan for each of these
+};
+
+/// What a neighbourhood says when it is flat.
+struct Patch {
+  double area_per_point = 0;
+  double noise = 0;
+};
+
+std::optional<Patch> patch_of(const Neighbourhood& around, const Eigen::Vector3d& axis) {
+  const auto m = static_cast<double>(around.points.size());
+  if (m < 8 || !(around.radius > 0)) return std::nullopt;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& p : around.points) mean += p / m;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const auto& p : around.points) covariance += (p - mean) * (p - mean).transpose() / (m - 3);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0);
+  const double thickness = std::sqrt(values[0]);
+  // A line of points (one row of a scanner) says nothing about area, nor about a normal.
+  if (thickness > kFlat * around.radius || values[1] < 0.05 * values[2]) return std::nullopt;
+  const double cosine = std::abs(solver.eigenvectors().col(0).dot(axis));
+  if (cosine < 0.2) return std::nullopt;
+  // The centre is one of the points: of the others there are m - 1 in the disc.
+  return Patch{M_PI * around.radius * around.radius / ((m - 1) * around.weight), thickness / cosine};
+}
+
+/// The sample as a tree, for neighbourhoods of any number of points.
+class Coarse {
+ public:
+  explicit Coarse(const Sample& sample) : sample_(sample) {
+    std::vector<std::pair<Point, std::uint32_t>> items;
+    for (std::size_t i = 0; i < sample.points().size(); ++i) {
+      items.emplace_back(to_point(sample.points()[i].position), static_cast<std::uint32_t>(i));
+    }
+    tree_ = PointTree(items);
+  }
+
+  /// The nearest points that face the same way.
+  Neighbourhood nearest(const model::SensorPoint& centre, int count) const {
+    const auto faces_alike = [&](const std::pair<Point, std::uint32_t>& item) {
+      return sample_.points()[item.second].axis.dot(centre.axis) > 0;
+    };
+    std::vector<std::pair<Point, std::uint32_t>> found;
+    tree_.query(
+        bgi::nearest(to_point(centre.position), static_cast<unsigned>(count)) && bgi::satisfies(faces_alike),
+        std::back_inserter(found));
+    Neighbourhood around;
+    around.weight = sample_.weight();
+    for (const auto& [point, index] : found) {
+      around.points.push_back(sample_.points()[index].position);
+      around.radius = std::max(around.radius, (around.points.back() - centre.position).norm());
+    }
+    return around;
+  }
+
+ private:
+  const Sample& sample_;
+  PointTree tree_;
+};
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The mean of area over points is total area over all points, whatever the density does: 1/density is
+/// averaged over points that lie as the density says. The extremes are outliers'.
+double trimmed_mean(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  values.resize(std::max<std::size_t>(1, values.size() * 97 / 100));
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+/// The finest scale first.
+Patch first_flat(const std::vector<Neighbourhood>& fine, const Coarse& coarse,
+                 const model::SensorPoint& centre) {
+  for (const Neighbourhood& around : fine) {
+    if (const auto patch = patch_of(around, centre.axis)) return *patch;
+  }
+  for (int count = kNeighbours; count <= 64 * kNeighbours; count *= 4) {
+    if (const auto patch = patch_of(coarse.nearest(centre, count), centre.axis)) return *patch;
+  }
+  return {};
+}
+
+std::vector<std::size_t> centres_of(const Sample& sample) {
+  std::vector<std::size_t> centres;
+  const std::size_t n = sample.points().size();
+  const std::size_t stride = std::max<std::size_t>(1, n / kCentres);
+  for (std::size_t i = 0; i < n; i += stride) centres.push_back(i);
+  return centres;
+}
+
+Estimate summarise(const Sample& sample, const std::vector<Patch>& patches) {
+  std::vector<double> areas, noises;
+  for (const Patch& patch : patches) {
+    if (!(patch.area_per_point > 0)) continue;
+    areas.push_back(patch.area_per_point);
+    noises.push_back(patch.noise);
+  }
+  Estimate result{trimmed_mean(std::move(areas)), median(std::move(noises)), sample.count()};
+  // What is left of exact readings is the rounding of their coordinates.
+  double largest = 0;
+  for (const auto& p : sample.points()) largest = std::max(largest, p.position.cwiseAbs().maxCoeff());
+  if (result.noise < 1e-12 * largest) result.noise = 0;
+  return result;
+}
+
+}  // namespace
+
+void Sample::add(const model::SensorPoint& point) {
+  ++count_;
+  if (points_.size() < size_) {
+    points_.push_back(point);
+  } else if (const auto at = random_.below(static_cast<std::uint64_t>(count_)); at < size_) {
+    points_[at] = point;
+  }
+}
+
+double Sample::weight() const {
+  return points_.empty() ? 1 : static_cast<double>(count_) / static_cast<double>(points_.size());
+}
+
+Estimate estimate(const Sample& sample) {
+  const Coarse coarse(sample);
+  std::vector<Patch> patches;
+  for (const std::size_t i : centres_of(sample))
+    patches.push_back(first_flat({}, coarse, sample.points()[i]));
+  return summarise(sample, patches);
+}
+
+Estimate estimate(const std::function<void(const Take&)>& pass) {
+  Sample sample;
+  pass([&](const model::SensorPoint& point) { sample.add(point); });
+  if (sample.weight() <= 1) return estimate(sample);
+
+  // A second look, at all the points near the centres: as far as three times `kNeighbours` should lie.
+  const Coarse coarse(sample);
+  const auto centres = centres_of(sample);
+  std::vector<Neighbourhood> fine;
+  std::vector<std::pair<Box, std::uint32_t>> boxes;
+  for (const std::size_t i : centres) {
+    const auto& centre = sample.points()[i];
+    const double reach = coarse.nearest(centre, kNeighbours).radius * std::sqrt(3 / sample.weight());
+    fine.push_back({{}, reach, 1});
+    const Eigen::Vector3d low = centre.position.array() - reach, high = centre.position.array() + reach;
+    boxes.emplace_back(Box(to_point(low), to_point(high)), static_cast<std::uint32_t>(fine.size() - 1));
+  }
+  const BoxTree tree(boxes);
+  pass([&](const model::SensorPoint& point) {
+    const Point at = to_point(point.position);
+    for (auto hit = tree.qbegin(bgi::intersects(at)); hit != tree.qend(); ++hit) {
+      Neighbourhood& around = fine[hit->second];
+      const auto& centre = sample.points()[centres[hit->second]];
+      if (around.points.size() < 1000 && point.axis.dot(centre.axis) > 0 &&
+          (point.position - centre.position).norm() <= around.radius) {
+        around.points.push_back(point.position);
+      }
+    }
+  });
+  std::vector<Patch> patches;
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    patches.push_back(first_flat({fine[i]}, coarse, sample.points()[centres[i]]));
+  }
+  return summarise(sample, patches);
+}
+
+double suitable_resolution(double area_per_point, double noise) {
+  return std::max(2.2 * std::sqrt(area_per_point), 10 * noise);
+}
+
+}  // namespace limpet::app

@@ -1,0 +1,48 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limpet/model/sensor_point.hpp>
+#include <limpet/simulation/random.hpp>
+#include <vector>
+
+namespace limpet::app {
+
+/// A fair sample of a stream of points, of bounded size, the same for the same stream.
+class Sample {
+ public:
+  explicit Sample(std::size_t size = 20'000) : size_(size) {}
+  void add(const model::SensorPoint& point);
+  const std::vector<model::SensorPoint>& points() const { return points_; }
+  /// Points of the stream so far.
+  std::int64_t count() const { return count_; }
+  /// Points of the stream for each one of the sample.
+  double weight() const;
+
+ private:
+  std::size_t size_;
+  std::vector<model::SensorPoint> points_;
+  std::int64_t count_ = 0;
+  simulation::Random random_{1};
+};
+
+/// What a scan tells about itself. Zero where it does not (too few points, or all in one place).
+struct Estimate {
+  double area_per_point = 0;  ///< of the surface, the square of the scan's unit; the mean over the surface
+  double noise = 0;           ///< standard deviation of a reading along its axis, scan's unit
+  std::int64_t points = 0;    ///< that were looked at
+};
+
+using Take = std::function<void(const model::SensorPoint&)>;
+
+/// Estimates from the points that `pass` hands out; it is called twice and hands out the same both times.
+Estimate estimate(const std::function<void(const Take&)>& pass);
+
+/// The same from a sample alone: coarser, but of a stream that passes only once.
+Estimate estimate(const Sample& sample);
+
+/// λ that suits the scan: about five points per λ², and ten times the noise at least.
+double suitable_resolution(double area_per_point, double noise);
+
+}  // namespace limpet::app

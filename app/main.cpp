@@ -1,0 +1,233 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// The command `limpet`: arguments in, exit code out. What each command does is in command_*.cpp.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <limpet/app/arguments.hpp>
+#include <limpet/app/commands.hpp>
+#include <limpet/geometry/predicates.hpp>
+#include <limpet/io/error.hpp>
+#include <limpet/simulation/mesh.hpp>
+#include <limpet/simulation/shapes.hpp>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace {
+
+using namespace limpet::app;
+using Command = std::function<int()>;
+
+/// Options with commas in them (x,y,z) are taken as text and read by our own parsers.
+CLI::Option* text_option(CLI::App& app, const std::string& names, const std::string& type,
+                         const std::string& help, std::function<void(const std::string&)> take) {
+  return app.add_option_function<std::string>(names, std::move(take), help)->type_name(type);
+}
+
+CLI::Option* length_option(CLI::App& app, const std::string& name, const std::string& help, bool zero,
+                           std::function<void(double)> take) {
+  return text_option(app, name, "LENGTH", help,
+                     [name, zero, take = std::move(take)](const std::string& text) {
+                       take(parse_length(name, text, zero));
+                     });
+}
+
+template <class Arguments>
+std::shared_ptr<Arguments> make_command(CLI::App& app, Command& chosen) {
+  auto args = std::make_shared<Arguments>();
+  app.parse_complete_callback([args, &chosen] { chosen = [args] { return run(*args); }; });
+  return args;
+}
+
+void add_quiet_and_json(CLI::App& app, bool& quiet, std::string* json) {
+  app.add_flag("-q,--quiet", quiet, "Say nothing but errors and warnings");
+  if (json) app.add_option("--json", *json, "Write a summary there, as JSON (- for standard output)");
+}
+
+void add_model(CLI::App& root, Command& chosen) {
+  auto& app = *root.add_subcommand("model", "Build a model from a scan, read in order, in sets");
+  const auto args = make_command<ModelArguments>(app, chosen);
+  app.add_option("SCAN", args->scan, "A scan: .ply, .pcd, .xyz or .pwn (- for standard input)")->required();
+  app.add_option("-o,--output", args->models, "Where to write the model: .limpet, .off, .ply, .obj, .stl")
+      ->required()
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("MODEL");
+  length_option(app, "--resolution", "Gaps smaller than this are not represented (default: by the scan)",
+                false, [args](double length) { args->resolution = length; });
+  text_option(app, "--angle", "DEGREES", "Angles smaller than this are not told apart (default 10)",
+              [args](const std::string& text) {
+                args->angle_deg = parse_length("--angle", text, false);
+                if (args->angle_deg >= 90) throw UsageError("--angle " + text + ": must be less than 90");
+              });
+  text_option(app, "--noise", "A[,B]",
+              "Standard deviation of a reading along its axis (default: by the scan)",
+              [args](const std::string& text) {
+                const NoiseArgument noise = parse_noise("--noise", text);
+                if (noise.per_range > 0) {
+                  throw UsageError("--noise " + text +
+                                   ": noise that grows with range is not supported yet; give one number");
+                }
+                args->noise = noise.fixed;
+              });
+  length_option(app, "--tolerance", "How far from its plane a surface may be (default: by the noise)", true,
+                [args](double length) { args->tolerance = length; });
+  app.add_option("--set-size", args->set_size, "Sensor points in a set (default 26)")
+      ->check(CLI::Range(1, 1'000'000));
+  text_option(app, "--viewpoint", "X,Y,Z", "Where the sensor stood, for scans without axes and normals",
+              [args](const std::string& text) { args->viewpoint = parse_vector("--viewpoint", text); });
+  text_option(app, "--rules", "RULES", "Update rules: limpet, thesis, names to keep, or -names to leave out",
+              [args](const std::string& text) {
+                try {
+                  args->rules = limpet::model::Rules::parse(text);
+                } catch (const std::invalid_argument& error) {
+                  throw UsageError(error.what());
+                }
+              });
+  app.add_option("--labels", args->labels, "Write the segment each record went to, one a line (0: none)");
+  app.add_option("--check-every", args->check_every, "Let the oracle judge after every Nth set too")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+  app.add_option("--stages", args->stages, "Keep N stages of growth beside the first MODEL, for limpet draw")
+      ->check(CLI::Range(1, 64));
+  app.add_option("--seed", "Taken for the sake of scripts: modelling has no chance in it")
+      ->check(CLI::TypeValidator<std::uint64_t>());
+  add_quiet_and_json(app, args->quiet, &args->json);
+}
+
+void add_scan(CLI::App& root, Command& chosen) {
+  auto& app = *root.add_subcommand("scan", "Simulate a range scan of a mesh");
+  const auto args = make_command<ScanArguments>(app, chosen);
+  std::string shapes;
+  for (const auto& name : limpet::simulation::shape_names()) shapes += (shapes.empty() ? "" : ", ") + name;
+  app.add_option("MESH", args->mesh, "A mesh (.off, .stl, .obj, .ply) or a shape: " + shapes)->required();
+  app.add_option("-o,--output", args->scan, "Where to write the scan: .ply or .xyz")->required();
+  app.add_option("--points", args->points, "Points wanted (default 100000)")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+  app.add_option("--order", args->order, "raster, shuffled or sampled (default raster)");
+  text_option(app, "--noise", "A[,B]", "Standard deviation along the axis: A + B times the range",
+              [args](const std::string& text) {
+                const NoiseArgument noise = parse_noise("--noise", text);
+                args->noise = noise.fixed;
+                args->noise_per_range = noise.per_range;
+              });
+  app.add_option("--outliers", args->outliers, "Fraction of points that are anywhere")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--seed", args->seed, "Of the random numbers (default 1)");
+  app.add_option_function<std::vector<std::string>>(
+         "--viewpoint",
+         [args](const std::vector<std::string>& texts) {
+           for (const auto& text : texts) args->viewpoints.push_back(parse_vector("--viewpoint", text));
+         },
+         "Where the sensor stands; may be given again (default: around the mesh)")
+      ->type_name("X,Y,Z")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_flag("--faces", args->faces, "Write the true face of each point too");
+  app.add_flag("--ascii", args->ascii, "Write text, not binary");
+  add_quiet_and_json(app, args->quiet, nullptr);
+}
+
+void add_check(CLI::App& root, Command& chosen) {
+  auto& app = *root.add_subcommand("check", "Judge a model by its laws; exit 0 only if nothing is broken");
+  const auto args = make_command<CheckArguments>(app, chosen);
+  app.add_option("MODEL", args->model, "A native model file, .limpet")->required();
+  app.add_option("--seed", "Taken for the sake of scripts")->check(CLI::TypeValidator<std::uint64_t>());
+  add_quiet_and_json(app, args->quiet, &args->json);
+}
+
+void add_compare(CLI::App& root, Command& chosen) {
+  auto& app = *root.add_subcommand("compare", "Distances between a model and the truth, both ways");
+  const auto args = make_command<CompareArguments>(app, chosen);
+  app.add_option("MODEL", args->model, "A model: .limpet, .off, .ply, .obj or .stl")->required();
+  app.add_option("TRUTH", args->truth, "A mesh, or the name of a shape")->required();
+  length_option(app, "--max-distance", "Exit 1 if any distance, either way, is above this", true,
+                [args](double length) { args->max_distance = length; });
+  text_option(app, "--faces", "exact", "Exit 1 unless there are as many polygons as true faces",
+              [args](const std::string& text) {
+                if (text != "exact") throw UsageError("--faces '" + text + "': give exact");
+                args->faces_exact = true;
+              });
+  app.add_option("--seed", "Taken for the sake of scripts")->check(CLI::TypeValidator<std::uint64_t>());
+  add_quiet_and_json(app, args->quiet, &args->json);
+}
+
+void add_draw(CLI::App& root, Command& chosen) {
+  auto& app = *root.add_subcommand("draw", "Draw models, without a display; several as stages of growth");
+  const auto args = make_command<DrawArguments>(app, chosen);
+  app.add_option("MODEL", args->models, "Native model files, .limpet")->required();
+  app.add_option("-o,--output", args->picture, "Where to write the picture: .png or .svg")->required();
+  app.add_option("--width", args->width, "Of the sheet, in pixels (default 1600)")
+      ->check(CLI::Range(200, 16384));
+  app.add_option_function<std::vector<std::string>>(
+         "--view",
+         [args](const std::vector<std::string>& texts) {
+           for (const auto& text : texts) args->views.push_back(parse_vector("--view", text));
+         },
+         "The direction to look from; may be given again")
+      ->type_name("X,Y,Z")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  text_option(app, "--up", "X,Y,Z", "Upwards in the picture (default: z)",
+              [args](const std::string& text) { args->up = parse_vector("--up", text); });
+  app.add_option("--seed", "Taken for the sake of scripts")->check(CLI::TypeValidator<std::uint64_t>());
+  add_quiet_and_json(app, args->quiet, nullptr);
+}
+
+/// One line, whatever is in it.
+int fail(const std::string& message, int code) {
+  std::string line = message;
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = ' ';
+  }
+  std::fprintf(stderr, "limpet: %s\n", line.c_str());
+  return code;
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app{"Exact planar polyhedral surface models from streams of range readings", "limpet"};
+  app.set_version_flag("--version", std::string("limpet " LIMPET_VERSION " (arithmetic: ") +
+                                        limpet::geometry::arithmetic() + ")");
+  app.require_subcommand(1);
+  app.footer(
+      "Lengths are in the scan's unit, angles in degrees. Exit codes: 0 done, 1 the result falls short,\n"
+      "2 bad usage or damaged input. 'limpet COMMAND --help' says more.");
+  Command command;
+  add_model(app, command);
+  add_scan(app, command);
+  add_check(app, command);
+  add_compare(app, command);
+  add_draw(app, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    const auto chosen = app.get_subcommands();
+    const std::string help = chosen.empty() ? "limpet" : "limpet " + chosen.front()->get_name();
+    return fail(std::string(error.what()) + "; see " + help + " --help", kBadInput);
+  }
+  return command();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const UsageError& error) {
+    return fail(error.what(), kBadInput);
+  } catch (const limpet::io::InputError& error) {
+    return fail(error.what(), kBadInput);
+  } catch (const limpet::io::OutputError& error) {
+    return fail(error.what(), kBadInput);
+  } catch (const limpet::simulation::MeshError& error) {
+    return fail(error.what(), kBadInput);
+  } catch (const std::bad_alloc&) {
+    return fail("there is not enough memory for this input", kBadInput);
+  } catch (const std::exception& error) {
+    return fail(std::string("a bug in limpet, please report it: ") + error.what(), kFallsShort);
+  }
+}

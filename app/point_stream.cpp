@@ -1,0 +1,63 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/app/point_stream.hpp>
+
+#include <limpet/app/interrupt.hpp>
+#include <limpet/io/error.hpp>
+
+namespace limpet::app {
+
+PointStream::PointStream(const std::string& path, const io::ScanOptions& options)
+    : path_(path), options_(options), reader_(io::open_scan(path, options)) {}
+
+bool PointStream::read(Kept& kept) {
+  if (!damage_.empty()) return false;
+  try {
+    if (!reader_->next(kept.record)) return false;
+  } catch (const io::InputError& error) {
+    damage_ = error.what();
+    return false;
+  }
+  kept.skipped = reader_->skipped() - skipped_seen_;
+  skipped_seen_ = reader_->skipped();
+  return true;
+}
+
+bool PointStream::next(model::SensorPoint& point, std::int64_t& skipped) {
+  Kept kept;
+  if (!ahead_.empty()) {
+    kept = ahead_.front();
+    ahead_.pop_front();
+  } else if (!read(kept)) {
+    return false;
+  }
+  point = kept.record.point;
+  skipped = kept.skipped;
+  return true;
+}
+
+const io::ScanRecord* PointStream::first() {
+  if (ahead_.empty()) {
+    Kept kept;
+    if (!read(kept)) return nullptr;
+    ahead_.push_back(kept);
+  }
+  return &ahead_.front().record;
+}
+
+void PointStream::look_ahead(std::int64_t most, const std::function<void(const model::SensorPoint&)>& take) {
+  if (is_standard_input()) {
+    Kept kept;
+    while (static_cast<std::int64_t>(ahead_.size()) < most && read(kept)) ahead_.push_back(kept);
+    for (const Kept& point : ahead_) take(point.record.point);
+    return;
+  }
+  try {
+    const auto again = io::open_scan(path_, options_);
+    io::ScanRecord record;
+    for (std::int64_t i = 0; i < most && !interrupted() && again->next(record); ++i) take(record.point);
+  } catch (const io::InputError&) {
+    // The points before the damage will do here; it is reported when the model comes to it.
+  }
+}
+
+}  // namespace limpet::app

@@ -1,0 +1,30 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstdint>
+#include <limpet/model/model.hpp>
+#include <string>
+#include <vector>
+
+namespace limpet::app {
+
+/// Keeps a few models along the way, evenly spaced in points, of a stream whose length is not known: keeps
+/// twice as many as asked for, and when there are more, every other one.
+class Stages {
+ public:
+  /// `count` 0: keeps none.
+  explicit Stages(int count) : count_(count) {}
+  /// After each set.
+  void look(const model::Model& model);
+  /// Saves `count` models in the native format beside `path`: cube.limpet gives cube.stage1.limpet and so on;
+  /// the last is `final_model`. Returns their names. Errors: io::OutputError.
+  std::vector<std::string> save(const std::string& path, const model::ModelRecord& final_model) const;
+
+ private:
+  int count_;
+  std::int64_t interval_ = 1, next_ = 1;  ///< sets
+  std::int64_t sets_ = 0;
+  std::vector<model::ModelRecord> kept_;
+};
+
+}  // namespace limpet::app

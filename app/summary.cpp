@@ -1,0 +1,96 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/app/summary.hpp>
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limpet/app/progress.hpp>
+#include <limpet/io/native.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace limpet::app {
+
+Summary summarise(const model::ModelRecord& model) {
+  Summary s;
+  s.points = model.points;
+  s.refused = model.refused;
+  s.expired = model.expired;
+  s.sets = model.sets;
+  s.resolution = model.resolution;
+  s.noise = model.noise;
+  s.polygons = static_cast<std::int64_t>(model.polygon_segments.size());
+  s.segments = s.polygons + static_cast<std::int64_t>(model.point_segments.size());
+  for (const auto& segment : model.point_segments) s.loose += segment.moments.count;
+  std::int64_t shared = 0;
+  for (const auto& segment : model.polygon_segments) {
+    s.holes += static_cast<std::int64_t>(segment.cycles.size()) - 1;
+    for (const auto& cycle : segment.cycles) {
+      for (const auto& vertex : cycle) ++(vertex.partner != 0 ? shared : s.open_edges);
+    }
+  }
+  s.shared_edges = shared / 2;
+  return s;
+}
+
+std::string to_json(const Summary& s) {
+  nlohmann::ordered_json json;
+  json["points"] = s.points;
+  json["points_loose"] = s.loose;
+  json["points_refused"] = s.refused;
+  json["points_expired"] = s.expired;
+  json["sets"] = s.sets;
+  json["segments"] = s.segments;
+  json["polygons"] = s.polygons;
+  json["holes"] = s.holes;
+  json["shared_edges"] = s.shared_edges;
+  json["open_edges"] = s.open_edges;
+  json["corner_vertices"] = s.corner_vertices;
+  json["closed"] = s.closed();
+  json["seconds"] = s.seconds;
+  json["points_per_second"] = s.seconds > 0 ? static_cast<double>(s.points) / s.seconds : 0.0;
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["violations"] = s.violations;
+  json["resolution"] = s.resolution;
+  json["noise"] = s.noise;
+  json["interrupted"] = s.interrupted;
+  json["damage"] = s.damage;
+  // Names and messages may hold bytes that are no UTF-8.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string to_text(const Summary& s) {
+  std::ostringstream text;
+  text << grouped(s.points) << " points in " << grouped(s.sets) << " sets: " << grouped(s.polygons)
+       << (s.polygons == 1 ? " polygon" : " polygons");
+  if (s.holes > 0) text << " with " << grouped(s.holes) << (s.holes == 1 ? " hole" : " holes");
+  text << ", " << grouped(s.shared_edges) << " shared edges, " << grouped(s.open_edges) << " open edges\n";
+  if (s.loose + s.refused + s.expired > 0) {
+    text << "in no polygon: " << grouped(s.loose) << " points loose, " << grouped(s.expired)
+         << " given up as outliers; " << grouped(s.refused) << " records were no point\n";
+  }
+  char line[160];
+  std::snprintf(line, sizeof line, "resolution %.4g, noise %.3g; %.2f s, %s points/s, %s MB\n", s.resolution,
+                s.noise, s.seconds,
+                grouped(s.seconds > 0 ? std::llround(static_cast<double>(s.points) / s.seconds) : 0).c_str(),
+                grouped(peak_memory_bytes() / 1'000'000).c_str());
+  text << line;
+  text << (s.violations == 0 ? "the oracle finds nothing broken\n"
+                             : "the oracle finds " + grouped(s.violations) + " broken laws\n");
+  return text.str();
+}
+
+std::int64_t peak_memory_bytes() {
+  struct rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+}
+
+std::vector<audit::Violation> judge(const model::ModelRecord& model) {
+  std::stringstream text;
+  io::write_native(text, model);
+  return audit::judge(audit::parse_document(text));
+}
+
+}  // namespace limpet::app

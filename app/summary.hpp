@@ -1,0 +1,47 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limpet/audit/laws.hpp>
+#include <limpet/model/record.hpp>
+#include <string>
+#include <vector>
+
+namespace limpet::app {
+
+/// What a run of `limpet model` comes to: the keys of --json (a contract), and the lines on standard output.
+struct Summary {
+  std::int64_t points = 0;   ///< accepted
+  std::int64_t loose = 0;    ///< in point segments
+  std::int64_t refused = 0;  ///< records that were no point
+  std::int64_t expired = 0;  ///< given up as outliers
+  std::int64_t sets = 0;
+  std::int64_t segments = 0, polygons = 0, holes = 0;
+  std::int64_t shared_edges = 0;  ///< corresponding pairs
+  std::int64_t open_edges = 0;
+  std::int64_t corner_vertices = 0;
+  std::int64_t violations = 0;  ///< the oracle's count
+  double seconds = 0;           ///< reading and modelling; neither the oracle nor writing
+  double resolution = 0, noise = 0;
+  bool interrupted = false;
+  std::string damage;  ///< of the scan, after the last point
+
+  bool closed() const { return polygons > 0 && open_edges == 0; }
+};
+
+/// Counts what is in the model; the rest is the caller's to fill in.
+Summary summarise(const model::ModelRecord& model);
+
+/// One JSON object, indented.
+std::string to_json(const Summary& summary);
+/// A few lines for people.
+std::string to_text(const Summary& summary);
+
+/// Largest resident set of this process so far, bytes.
+std::int64_t peak_memory_bytes();
+
+/// The oracle's judgement of a model as it would be written.
+std::vector<audit::Violation> judge(const model::ModelRecord& model);
+
+}  // namespace limpet::app

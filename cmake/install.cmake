@@ -1,0 +1,2 @@
+# What `make install` leaves behind.
+install(TARGETS limpet RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
