@@ -32,6 +32,18 @@ double move(std::uint64_t vertex, std::uint64_t attempt, int axis, int reach) {
   return static_cast<double>(static_cast<int>(x % static_cast<std::uint64_t>(2 * reach + 1)) - reach);
 }
 
+/// Outwards, so that b overlaps what it only touched, and a little to any side, so that it does not touch
+/// elsewhere.
+Point2 moved_vertex(const Polygon& b, Slot s, std::size_t attempt, int reach) {
+  const Point2 in = b.at(s) - b.at(b.prev(s)), out = b.end(s) - b.at(s);
+  const Point2 along = (1 / std::sqrt(squared_length(in))) * in + (1 / std::sqrt(squared_length(out))) * out;
+  const double length = std::sqrt(squared_length(along));
+  const Point2 right = length > 0 ? (reach / length) * Point2{along.y, -along.x} : Point2{};
+  const std::uint64_t v = b.node(s).edge.value;
+  const int aside = (reach + 1) / 2;
+  return round_to_grid(b.at(s) + right + Point2{move(v, attempt, 0, aside), move(v, attempt, 1, aside)});
+}
+
 int orientation_of(const std::vector<NewVertex>& cycle) {
   std::vector<Point2> points;
   for (const NewVertex& v : cycle) points.push_back(v.at);
@@ -46,10 +58,9 @@ std::vector<SourceEdge> edges_of(const Polygon& b, std::size_t attempt, double g
   for (const auto& cycle : b.cycles()) {
     if (cycle.size == 0) continue;
     auto& moved = cycles.emplace_back(b.vertices(cycle));
-    if (reach > 0)
-      for (NewVertex& v : moved)
-        v.at = v.at + Point2{move(v.edge.value, attempt, 0, reach), move(v.edge.value, attempt, 1, reach)};
     Slot s = cycle.first;
+    for (std::size_t i = 0; reach > 0 && i < moved.size(); ++i, s = b.next(s))
+      moved[i].at = moved_vertex(b, s, attempt, reach);
     for (std::size_t i = 0; i < moved.size(); ++i, s = b.next(s))
       edges.push_back({moved[i].at, moved[(i + 1) % moved.size()].at, s, b.next(s)});
   }
