@@ -6,149 +6,17 @@
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/geometry/search.hpp>
 
+#include "bridge_sections_internal.hpp"
+
 namespace limpet::geometry {
 namespace {
 
-constexpr std::size_t kMaxWalk = 256;
-constexpr std::size_t kMaxAttempts = 24;
+using internal::Contact;
+using internal::Foot;
+using internal::SectionEnd;
+using internal::SectionSearch;
+
 constexpr std::size_t kMaxContacts = 24;
-
-/// An end of section Q: a vertex of Y, or a point that cuts the edge leaving `edge`.
-struct Foot {
-  Slot edge = kNoSlot;
-  std::optional<Point2> cut;  ///< rounded; none: the vertex at `edge`
-  Point2 at;
-  double position = 0;  ///< along Y from the contact's edge, in edges
-};
-
-/// A vertex that may end section P, and its nearest point on Y.
-struct SectionEnd {
-  Slot vertex;
-  Foot foot;
-};
-
-/// A nearest pair of perimeter points.
-struct Contact {
-  PerimeterPoint x, y;
-};
-
-/// Looks for the sections P on x and Q on y around a contact. x and y may be one polygon.
-class SectionSearch {
- public:
-  SectionSearch(const Polygon& x, const Polygon& y, const Contact& contact, double gap)
-      : x_(x), y_(y), contact_(contact), gap_(gap), self_(&x == &y) {
-    walk_q();
-  }
-
-  /// Calls attempt(p1, p2) for the pairs that satisfy the conditions, P longest first, until one succeeds.
-  template <class Attempt>
-  bool search(Attempt&& attempt) const {
-    const auto back = walk_p(false), forward = walk_p(true);
-    const std::size_t size = x_.cycle(x_.node(contact_.x.edge).cycle).size;
-    std::size_t attempts = 0;
-    for (std::size_t total = back.size() + forward.size(); total-- > 0;)
-      for (std::size_t i = std::min(total + 1, back.size()); i-- > 0;) {
-        const std::size_t j = total - i;
-        const std::size_t edges = i + j + (contact_.x.fraction == 0 ? 0 : 1);  // of P
-        if (j >= forward.size() || edges == 0 || edges >= size) continue;
-        if (!back[i] || !forward[j] || !ordered(forward[j]->foot, back[i]->foot)) continue;
-        if (attempt(*back[i], *forward[j])) return true;
-        if (++attempts == kMaxAttempts) return false;
-      }
-    return false;
-  }
-
- private:
-  struct Stretch {
-    Slot edge;
-    double offset;
-  };
-
-  /// Edges of Y around the contact whose vertices stay within gap of X, with their places along Y.
-  void walk_q() {
-    const std::size_t size = y_.cycle(y_.node(contact_.y.edge).cycle).size;
-    const std::size_t limit = std::min(self_ ? std::size_t{6} : kMaxWalk, size - 1);
-    q_.push_back({contact_.y.edge, 0});
-    Slot s = contact_.y.edge;
-    for (std::size_t k = 1; k <= limit; ++k) {
-      s = y_.next(s);
-      if (!near_x(y_.at(s))) break;
-      q_.push_back({s, static_cast<double>(k)});
-    }
-    s = contact_.y.edge;
-    for (std::size_t k = 1; k <= limit && near_x(y_.at(s)); ++k) {
-      s = y_.prev(s);
-      q_.push_back({s, -static_cast<double>(k)});
-    }
-  }
-
-  bool near_x(Point2 p) const {
-    if (self_) return squared_length(p - contact_.x.at) < 4 * gap_ * gap_;
-    return nearest_perimeter_point(x_, p, gap_).has_value();
-  }
-
-  /// The possible ends of P, by how many vertices lie between them and the contact; nothing where a vertex is
-  /// out of sight of its foot.
-  std::vector<std::optional<SectionEnd>> walk_p(bool forward) const {
-    std::vector<std::optional<SectionEnd>> result;
-    const std::size_t size = x_.cycle(x_.node(contact_.x.edge).cycle).size;
-    const std::size_t limit = std::min(self_ ? std::size_t{3} : kMaxWalk, size - 1);
-    // With the contact at a vertex, P may begin or end there.
-    Slot s = forward && contact_.x.fraction > 0 ? x_.next(contact_.x.edge) : contact_.x.edge;
-    for (std::size_t k = 0; k < limit; ++k, s = forward ? x_.next(s) : x_.prev(s)) {
-      const auto foot = nearest_on_q(x_.at(s), forward);
-      if (!foot) break;
-      result.push_back(visible(s, *foot) ? std::optional(SectionEnd{s, *foot}) : std::nullopt);
-    }
-    return result;
-  }
-
-  /// The point of Q's stretch nearest to p. For p2 (forward) Q begins there, so it lies behind the contact;
-  /// for p1 before it.
-  std::optional<Foot> nearest_on_q(Point2 p, bool forward) const {
-    std::optional<Foot> best;
-    double best_d2 = gap_ * gap_;
-    for (const Stretch& q : q_) {
-      if (forward ? q.offset > 0 : q.offset < 0) continue;
-      if (y_.node(q.edge).shared && self_) continue;
-      const Point2 a = y_.at(q.edge), b = y_.end(q.edge);
-      double t = nearest_fraction(a, b, p);
-      if (q.offset == 0) t = forward ? std::min(t, contact_.y.fraction) : std::max(t, contact_.y.fraction);
-      const Point2 at = a + t * (b - a);
-      const double d2 = squared_length(at - p);
-      if (d2 >= best_d2) continue;
-      best_d2 = d2;
-      const Point2 rounded = round_to_grid(at);
-      if (rounded == a || t == 0)
-        best = Foot{q.edge, std::nullopt, a, q.offset};
-      else if (rounded == b || t == 1)
-        best = Foot{y_.next(q.edge), std::nullopt, b, q.offset + 1};
-      else
-        best = Foot{q.edge, rounded, rounded, q.offset + t};
-    }
-    return best;
-  }
-
-  bool visible(Slot p, const Foot& foot) const {
-    const Slot ignored = foot.cut ? foot.edge : kNoSlot;
-    const Slot vertex = foot.cut ? kNoSlot : foot.edge;
-    if (self_) return sights(x_, {x_.at(p), p}, {foot.at, vertex}, {ignored});
-    return sights(x_, {x_.at(p), p}, {foot.at, kNoSlot}) &&
-           sights(y_, {x_.at(p), kNoSlot}, {foot.at, vertex}, {ignored});
-  }
-
-  /// Q runs from q1 (the foot of p2) to q2 (the foot of p1), not all the way round.
-  bool ordered(const Foot& q1, const Foot& q2) const {
-    const auto size = static_cast<double>(y_.cycle(y_.node(contact_.y.edge).cycle).size);
-    return q1.position < q2.position && q2.position - q1.position <= size - (q1.cut && q2.cut ? 0 : 1);
-  }
-
-  const Polygon &x_, &y_;
-  Contact contact_;
-  double gap_;
-  bool self_;
-  std::vector<Stretch> q_;
-};
 
 /// Where the kept perimeter behind Q's beginning ends, and where the one after its end goes on.
 Slot kept_before(const Foot& q1) { return q1.edge; }
@@ -172,11 +40,13 @@ void append_other_cycles(const Polygon& b, CycleId joined, Edit& edit) {
 /// P on a, Q on b.
 Edit join_p_on_a(const Polygon& b, const SectionEnd& p1, const SectionEnd& p2) {
   Edit edit;
-  Chain chain{p1.vertex, {}, p2.vertex};
+  Chain chain{p1.kept, {}, p2.kept};
   const Foot &q1 = p2.foot, &q2 = p1.foot;
+  if (p1.cut) chain.via.push_back({*p1.cut});
   if (q2.cut) chain.via.push_back({*q2.cut});
   append_kept(b, kept_after(b, q2), kept_before(q1), chain.via);
   if (q1.cut) chain.via.push_back({*q1.cut});
+  if (p2.cut) chain.via.push_back({*p2.cut});
   edit.chains.push_back(std::move(chain));
   append_other_cycles(b, b.node(q1.edge).cycle, edit);
   return edit;
@@ -188,19 +58,23 @@ Edit join_p_on_b(const Polygon& a, const Polygon& b, const SectionEnd& p1, const
   const Foot &q1 = p2.foot, &q2 = p1.foot;
   Chain chain{kept_before(q1), {}, kept_after(a, q2)};
   if (q1.cut) chain.via.push_back({*q1.cut});
-  append_kept(b, p2.vertex, p1.vertex, chain.via);
+  if (p2.cut) chain.via.push_back({*p2.cut});
+  append_kept(b, p2.kept, p1.kept, chain.via);
+  if (p1.cut) chain.via.push_back({*p1.cut});
   if (q2.cut) chain.via.push_back({*q2.cut});
   edit.chains.push_back(std::move(chain));
-  append_other_cycles(b, b.node(p1.vertex).cycle, edit);
+  append_other_cycles(b, b.node(p1.kept).cycle, edit);
   return edit;
 }
 
 Edit split(const Polygon& a, const SectionEnd& p1, const SectionEnd& p2) {
   Edit edit;
   const Foot &q1 = p2.foot, &q2 = p1.foot;
-  Chain first{p1.vertex, {}, kept_after(a, q2)}, second{kept_before(q1), {}, p2.vertex};
+  Chain first{p1.kept, {}, kept_after(a, q2)}, second{kept_before(q1), {}, p2.kept};
+  if (p1.cut) first.via.push_back({*p1.cut});
   if (q2.cut) first.via.push_back({*q2.cut});
   if (q1.cut) second.via.push_back({*q1.cut});
+  if (p2.cut) second.via.push_back({*p2.cut});
   edit.chains.push_back(std::move(first));
   edit.chains.push_back(std::move(second));
   return edit;
@@ -313,7 +187,6 @@ bool bridge_self(Polygon& polygon, Slot vertex, double gap, EdgeIds& ids) {
     if (!apart_along(polygon, vertex, near[k].edge, 2 * gap)) continue;
     const Contact contact{{vertex, 0, v, near[k].squared_distance}, near[k]};
     if (SectionSearch(polygon, polygon, contact, gap).search([&](const SectionEnd& p1, const SectionEnd& p2) {
-          if (p1.vertex == p2.vertex) return false;
           const Edit edit = split(polygon, p1, p2);
           if (polygon.judge(edit) != Verdict::valid) return false;
           polygon.commit(edit, ids);

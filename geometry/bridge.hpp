@@ -6,7 +6,8 @@
 namespace limpet::geometry {
 
 /// Connects two polygons of one chart that do not overlap (thesis §2.4.3): a section P of one perimeter is
-/// extended to a section Q of the other. The ends of P are vertices, those of Q the points nearest to them;
+/// extended to a section Q of the other. The ends of P are vertices (or points where the next edge leaves
+/// the gap), those of Q the points nearest to them;
 /// every vertex of P is within `gap` (λ, grid steps) of Q's perimeter and the reverse; P and Q hold the
 /// nearest pair of perimeter points (where that pair allows no sections, a locally nearest one, which the
 /// thesis leaves out to save work); the new edges are lines of sight relative to both perimeters; P is as
