@@ -32,7 +32,7 @@ Point to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
 /// Points around a centre, and the radius within which they are all there are of a sample.
 struct Neighbourhood {
-  std::vector<Eigen::Vector3d> points;
+  std::vector<model::SensorPoint> points;
   double radius = 0;
   double weight = 1;  ///< points of the scan for each of these
 };
@@ -43,22 +43,42 @@ struct Patch {
   double noise = 0;
 };
 
-std::optional<Patch> patch_of(const Neighbourhood& around, const Eigen::Vector3d& axis) {
-  const auto m = static_cast<double>(around.points.size());
-  if (m < 8 || !(around.radius > 0)) return std::nullopt;
+struct Principal {
+  Eigen::Vector3d variances, thinnest;
+};
+
+Principal principal(const std::vector<model::SensorPoint>& points) {
+  const auto m = static_cast<double>(points.size());
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const auto& p : around.points) mean += p / m;
+  for (const auto& p : points) mean += p.position / m;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (const auto& p : around.points) covariance += (p - mean) * (p - mean).transpose() / (m - 3);
+  for (const auto& p : points) {
+    const Eigen::Vector3d d = p.position - mean;
+    covariance += d * d.transpose() / (m - 3);
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0);
-  const double thickness = std::sqrt(values[0]);
+  return {solver.eigenvalues().cwiseMax(0), solver.eigenvectors().col(0)};
+}
+
+std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis) {
+  constexpr std::size_t kFewest = 8;
+  if (around.points.size() < kFewest || !(around.radius > 0)) return std::nullopt;
+  // A thin plate has a back, which was sensed from the other side.
+  const Eigen::Vector3d normal = principal(around.points).thinnest;
+  std::erase_if(around.points, [&](const model::SensorPoint& p) {
+    return std::signbit(p.axis.dot(normal)) != std::signbit(axis.dot(normal));
+  });
+  if (around.points.size() < kFewest) return std::nullopt;
+  const Principal found = principal(around.points);
+  const double thickness = std::sqrt(found.variances[0]);
   // A line of points (one row of a scanner) says nothing about area, nor about a normal.
-  if (thickness > kFlat * around.radius || values[1] < 0.05 * values[2]) return std::nullopt;
-  const double cosine = std::abs(solver.eigenvectors().col(0).dot(axis));
+  if (thickness > kFlat * around.radius || found.variances[1] < 0.05 * found.variances[2])
+    return std::nullopt;
+  const double cosine = std::abs(found.thinnest.dot(axis));
   if (cosine < 0.2) return std::nullopt;
   // The centre is one of the points: of the others there are m - 1 in the disc.
-  return Patch{M_PI * around.radius * around.radius / ((m - 1) * around.weight), thickness / cosine};
+  const double others = static_cast<double>(around.points.size() - 1) * around.weight;
+  return Patch{M_PI * around.radius * around.radius / others, thickness / cosine};
 }
 
 /// The sample as a tree, for neighbourhoods of any number of points.
@@ -72,20 +92,15 @@ class Coarse {
     tree_ = PointTree(items);
   }
 
-  /// The nearest points that face the same way.
   Neighbourhood nearest(const model::SensorPoint& centre, int count) const {
-    const auto faces_alike = [&](const std::pair<Point, std::uint32_t>& item) {
-      return sample_.points()[item.second].axis.dot(centre.axis) > 0;
-    };
     std::vector<std::pair<Point, std::uint32_t>> found;
-    tree_.query(
-        bgi::nearest(to_point(centre.position), static_cast<unsigned>(count)) && bgi::satisfies(faces_alike),
-        std::back_inserter(found));
+    tree_.query(bgi::nearest(to_point(centre.position), static_cast<unsigned>(count)),
+                std::back_inserter(found));
     Neighbourhood around;
     around.weight = sample_.weight();
     for (const auto& [point, index] : found) {
-      around.points.push_back(sample_.points()[index].position);
-      around.radius = std::max(around.radius, (around.points.back() - centre.position).norm());
+      around.points.push_back(sample_.points()[index]);
+      around.radius = std::max(around.radius, (around.points.back().position - centre.position).norm());
     }
     return around;
   }
@@ -95,11 +110,18 @@ class Coarse {
   PointTree tree_;
 };
 
-double median(std::vector<double> values) {
+double quantile(std::vector<double> values, double part) {
   if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// The median, unless half the neighbourhoods cross edges of the surface: then what the flat ones say.
+double typical_noise(const std::vector<double>& noises) {
+  const double low = 1.2 * quantile(noises, 0.2);  // 1.2: the median over the lower fifth's end, 13 degrees
+  const double middle = quantile(noises, 0.5);
+  return middle > 1.5 * low ? low : middle;
 }
 
 /// The mean of area over points is total area over all points, whatever the density does: 1/density is
@@ -140,7 +162,7 @@ Estimate summarise(const Sample& sample, const std::vector<Patch>& patches) {
     areas.push_back(patch.area_per_point);
     noises.push_back(patch.noise);
   }
-  Estimate result{trimmed_mean(std::move(areas)), median(std::move(noises)), sample.count()};
+  Estimate result{trimmed_mean(std::move(areas)), typical_noise(noises), sample.count()};
   // What is left of exact readings is the rounding of their coordinates.
   double largest = 0;
   for (const auto& p : sample.points()) largest = std::max(largest, p.position.cwiseAbs().maxCoeff());
@@ -194,9 +216,8 @@ Estimate estimate(const std::function<void(const Take&)>& pass) {
     for (auto hit = tree.qbegin(bgi::intersects(at)); hit != tree.qend(); ++hit) {
       Neighbourhood& around = fine[hit->second];
       const auto& centre = sample.points()[centres[hit->second]];
-      if (around.points.size() < 1000 && point.axis.dot(centre.axis) > 0 &&
-          (point.position - centre.position).norm() <= around.radius) {
-        around.points.push_back(point.position);
+      if (around.points.size() < 1000 && (point.position - centre.position).norm() <= around.radius) {
+        around.points.push_back(point);
       }
     }
   });
