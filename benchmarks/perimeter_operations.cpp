@@ -18,8 +18,6 @@
 #include <new>
 #include <string>
 
-#include <limpet/audit/planar.hpp>
-#include <limpet/audit/sweep.hpp>
 #include <limpet/geometry/extend.hpp>
 #include <limpet/geometry/fissure.hpp>
 #include <limpet/geometry/judge.hpp>
@@ -27,7 +25,8 @@
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/geometry/unite.hpp>
 
-#include "../tests/geometry/perimeter_shapes.hpp"
+#include "perimeter_figures.hpp"
+#include "perimeter_laws.hpp"
 
 namespace limpet::benchmarks {
 namespace {
@@ -37,77 +36,6 @@ using namespace shapes;
 
 constexpr std::size_t kBatch = 2000;
 constexpr unsigned kSecondsPerBatch = 20;
-
-enum Kind { kExtend, kMerge, kUnite, kFill, kKinds };
-constexpr std::array<const char*, kKinds> kKindNames = {"extend_to_point", "merge_polygons", "unite",
-                                                        "fill_fissures"};
-enum Outcome { kChanged, kNothing, kRefused, kOutcomes };
-constexpr std::array<const char*, kOutcomes> kOutcomeNames = {"changed", "nothing_to_do", "refused"};
-/// What can be wrong with a result.
-enum Fault { kBroken, kAudit, kIdentity, kTouched, kShrunk, kLocate, kException, kFaults };
-constexpr std::array<const char*, kFaults> kFaultNames = {
-    "broken_results", "broken_by_audit", "identity_faults", "refused_but_changed",
-    "area_lost",      "wrong_sides",     "exceptions"};
-
-/// Shared between parent and child: plain numbers.
-struct Figures {
-  std::uint64_t operations = 0, audited = 0;
-  std::array<std::array<std::uint64_t, kOutcomes>, kKinds> outcome{};
-  std::array<std::array<std::uint64_t, kFaults>, kKinds> fault{};
-  std::array<std::uint64_t, kKinds> longest_ns{}, total_ns{};
-  std::array<std::uint64_t, 8> unite_attempt{};  ///< [k]: unions that succeeded at attempt k
-  std::array<std::uint64_t, 5> merger{};
-  std::uint64_t crashes = 0, hangs = 0, edges_max = 0, holes_max = 0;
-  Kind running = kKinds;
-};
-
-Cycles cycles_of(const Polygon& p) { return p.boundary(); }
-
-double area_of(const Cycles& cycles) {
-  double twice = 0;
-  for (const auto& c : cycles)
-    for (std::size_t i = 0; i < c.size(); ++i)
-      twice += cross(c[i].at - c[0].at, c[(i + 1) % c.size()].at - c[0].at);
-  return twice / 2;
-}
-
-double length_of(const Cycles& cycles) {
-  double length = 0;
-  for (const auto& c : cycles)
-    for (std::size_t i = 0; i < c.size(); ++i)
-      length += std::sqrt(squared_length(c[(i + 1) % c.size()].at - c[i].at));
-  return length;
-}
-
-bool same(const Cycles& a, const Cycles& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& c, const auto& d) {
-    return std::equal(c.begin(), c.end(), d.begin(), d.end(), [](const NewVertex& v, const NewVertex& w) {
-      return v.at == w.at && v.edge == w.edge && v.shared == w.shared;
-    });
-  });
-}
-
-/// The audit's view, which shares no code with geometry/.
-bool audit_accepts(const Cycles& cycles) {
-  std::vector<std::vector<audit::Point>> rings;
-  for (const auto& c : cycles) {
-    if (c.size() < 3) return false;
-    std::vector<audit::Point> ring;
-    for (const NewVertex& v : c) ring.push_back({v.at.x, v.at.y});
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (ring[i] == ring[(i + 1) % ring.size()]) return false;
-    rings.push_back(std::move(ring));
-  }
-  if (rings.empty() || audit::find_clash(rings)) return false;
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    const auto area = audit::twice_area(rings[i]);
-    if (area.sign() != (i == 0 ? 1 : -1)) return false;
-    for (std::size_t j = 0; j < rings.size(); ++j)
-      if (i > 0 && i != j && (audit::side_of(rings[i][0], rings[j]) == audit::Side::kInside) != (j == 0))
-        return false;
-  }
-  return true;
-}
 
 void print(const char* name, const Cycles& cycles) {
   std::fprintf(stderr, "  %s = {", name);
@@ -352,36 +280,6 @@ void run_batch(std::uint64_t seed, std::uint64_t batch, std::size_t operations, 
   ++figures.operations;
   std::fprintf(stderr, "batch %llu %s during %s\n", static_cast<unsigned long long>(batch),
                hang ? "hung" : "crashed", figures.running < kKinds ? kKindNames[figures.running] : "setup");
-}
-
-std::string json_of(const Figures& f, std::uint64_t seed, double seconds) {
-  const auto number = [](auto n) { return std::to_string(n); };
-  std::string s = "{\n  \"arithmetic\": \"" + std::string(arithmetic()) + "\",\n  \"seed\": " + number(seed) +
-                  ",\n  \"operations\": " + number(f.operations) + ",\n  \"audited\": " + number(f.audited) +
-                  ",\n  \"crashes\": " + number(f.crashes) + ",\n  \"hangs\": " + number(f.hangs) +
-                  ",\n  \"most_edges\": " + number(f.edges_max) +
-                  ",\n  \"most_holes\": " + number(f.holes_max) + ",\n  \"seconds\": " + number(seconds) +
-                  ",\n  \"kinds\": {";
-  for (std::size_t k = 0; k < kKinds; ++k) {
-    s += std::string(k ? "," : "") + "\n    \"" + kKindNames[k] + "\": {";
-    std::uint64_t n = 0;
-    for (std::size_t o = 0; o < kOutcomes; ++o) {
-      s += std::string("\"") + kOutcomeNames[o] + "\": " + number(f.outcome[k][o]) + ", ";
-      n += f.outcome[k][o];
-    }
-    for (std::size_t o = 0; o < kFaults; ++o)
-      s += std::string("\"") + kFaultNames[o] + "\": " + number(f.fault[k][o]) + ", ";
-    s += "\"longest_ms\": " + number(static_cast<double>(f.longest_ns[k]) * 1e-6) + ", \"mean_us\": " +
-         number(static_cast<double>(f.total_ns[k]) * 1e-3 / static_cast<double>(n ? n : 1)) + "}";
-  }
-  s += "\n  },\n  \"mergers\": {";
-  constexpr std::array names = {"contained", "united", "bridged", "too_far", "refused"};
-  for (std::size_t k = 0; k < names.size(); ++k)
-    s += std::string(k ? ", \"" : "\"") + names[k] + "\": " + number(f.merger[k]);
-  s += "},\n  \"unite_succeeded_at_attempt\": [";
-  for (std::size_t k = 1; k < f.unite_attempt.size(); ++k)
-    s += (k > 1 ? ", " : "") + number(f.unite_attempt[k]);
-  return s + "]\n}\n";
 }
 
 int run(int argc, char** argv) {
