@@ -121,6 +121,19 @@ void insert_pending(Engine&);
 // merge_points.cpp: §2.4.1
 enum class PointMerger { refused, point, polygon };
 PointMerger merge_point_segments(Engine&, Segment& into, Segment& from);
+/// At a few points per λ², point segments settle about λ apart with too few points each for a normal: a point
+/// segment and the young ones around it that lie in one plane with it may know it together. Whether the seed
+/// is a polygon now.
+bool promote_patch(Engine&, Segment& seed);
+
+// promotion.cpp: when a segment is a polygon
+/// Is the normal known well enough to be a polygon's? `raw` are all the points behind the fit, or none.
+bool promotable(const Engine&, const Fit&, const Eigen::Vector3d& axis_sum,
+                const std::vector<const std::vector<RawPoint>*>& raw);
+/// Chart and diamond (thesis §2.4.1); nothing when that is too small for the grid.
+std::unique_ptr<PolygonPart> diamond_part(Engine&, const Fit&);
+/// Makes a point segment a polygon and extends its diamond to the points it keeps.
+void promote(Engine&, Segment&, std::unique_ptr<PolygonPart>);
 
 // merge_point_polygon.cpp: §2.4.2
 /// How a point stands to a polygon segment; `distance2` is from the polygon, squared.

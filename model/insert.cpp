@@ -65,7 +65,10 @@ void settle(Engine& e, Segment* s, bool polygons_tried) {
         break;
       }
     }
-    if (!next) return;
+    if (!next) {
+      promote_patch(e, *s);
+      return;
+    }
     s = next;
     polygons_tried = false;
   }

@@ -8,9 +8,10 @@
 namespace limpet::model {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool Rules::*>, 11> kRules = {{
+constexpr std::array<std::pair<const char*, bool Rules::*>, 12> kRules = {{
     {"promotion", &Rules::promotion},
     {"chance", &Rules::chance},
+    {"patch", &Rules::patch},
     {"residual", &Rules::residual},
     {"best", &Rules::best},
     {"dissolve", &Rules::dissolve},

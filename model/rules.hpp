@@ -12,6 +12,7 @@ struct Rules {
   bool promotion =
       true;  ///< a point segment becomes a polygon by the precision of its normal, not when s_pt² ≥ s_pp²
   bool chance = true;    ///< nor while so few points could lie in a plane by chance
+  bool patch = true;     ///< neighbouring point segments in one plane become a polygon together
   bool residual = true;  ///< added data is judged by its own residual, not by the variance after the merger
   bool best = true;      ///< a point goes to the best segment, polygons first; not to the first in memory
   bool dissolve =
@@ -19,9 +20,10 @@ struct Rules {
   bool refresh = true;  ///< the initial plane follows the fit while that is still uncertain
   bool near = true;     ///< points within λ/4 of a perimeter update the moments only
   bool holes = true;    ///< polygons have holes; perimeters are bridged where they meet themselves
-  bool voids = true;      ///< when finishing, holes that chance alone would leave empty at the scan's density are dropped
-  bool finish = true;   ///< at the end of input everything is tried again until nothing changes
-  bool expiry = true;   ///< small point segments that nothing joins for long are given up as outliers
+  bool voids =
+      true;  ///< when finishing, holes that chance alone would leave empty at the scan's density are dropped
+  bool finish = true;  ///< at the end of input everything is tried again until nothing changes
+  bool expiry = true;  ///< small point segments that nothing joins for long are given up as outliers
 
   static Rules thesis();
   /// From the command line: "limpet" (all on), "thesis" (all off), or names separated by commas, those to

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Holes that are only places where by chance no sensor point fell. At five points per λ² an empty disc wider than λ is no
-// rarity, and a perimeter grows around it.
+// Holes that are only places where by chance no sensor point fell. At five points per λ² an empty disc wider
+// than λ is no rarity, and a perimeter grows around it.
 #include <limpet/geometry/measure.hpp>
 
 #include "engine_internal.hpp"
@@ -9,8 +9,9 @@
 namespace limpet::model::internal {
 namespace {
 
-/// With n points expected in it, a hole is empty by chance with probability exp(−n), and there are at most m places for one among m
-/// points. The smallest n for which m·exp(−n/2) ≤ 10⁻³; the half allows for a scan half as dense there as on average.
+/// With n points expected in it, a hole is empty by chance with probability exp(−n), and there are at most m
+/// places for one among m points. The smallest n for which m·exp(−n/2) ≤ 10⁻³; the half allows for a scan
+/// half as dense there as on average.
 double significant_count(std::int64_t m) {
   double expected = 1000.0 * static_cast<double>(m), n = 0;
   for (; expected > 1; n += 2) expected /= 2.718281828459045;
@@ -33,7 +34,8 @@ bool drop_chance_holes(Engine& e, Segment& s) {
   for (std::uint32_t i = 0; i < perimeter.cycles().size(); ++i) {
     const auto& cycle = perimeter.cycles()[i];
     if (cycle.size == 0 || !cycle.hole || any_shared(perimeter, cycle)) continue;
-    if (-density * geometry::signed_area(perimeter, cycle) < needed) edit.removed_cycles.push_back(geometry::CycleId{i});
+    if (-density * geometry::signed_area(perimeter, cycle) < needed)
+      edit.removed_cycles.push_back(geometry::CycleId{i});
   }
   if (edit.removed_cycles.empty() || perimeter.judge(edit) != geometry::Verdict::valid) return false;
   perimeter.commit(edit, e.edge_ids);

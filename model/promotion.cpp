@@ -1,0 +1,109 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// When is a segment a polygon? The rule that makes a point segment a planar polygon segment, and its first
+// perimeter.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <limpet/geometry/extend.hpp>
+#include <limpet/geometry/predicates.hpp>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+/// Could so few points lie this close to a plane by chance? Were they spread evenly over a slab as thick as
+/// they are wide, a point would come within two standard deviations of the plane with probability q; three of
+/// them always do. The bound 10⁻⁵ is small against the number of point segments that are ever tried.
+bool plane_by_chance(const Fit& fit, double variance) {
+  const double q = std::sqrt(4 * variance / (3 * fit.u2));
+  double probability = 1;
+  for (double k = 3; k < fit.count && probability > 1e-5; ++k) probability *= q;
+  return probability > 1e-5;
+}
+
+/// The fit without the point that most determines the plane: the one farthest off the long axis. A scan line
+/// and one outlier lie in a plane perfectly; without the outlier they do not make one.
+Fit without_its_lever(const Engine& e, Fit fit, const std::vector<const std::vector<RawPoint>*>& raw) {
+  double longest2 = 0;
+  for (const auto* points : raw)
+    for (const RawPoint& r : *points) {
+      const double across = fit.axis2.dot(e.world(r.at) - fit.centroid);
+      longest2 = std::max(longest2, across * across);
+    }
+  const double m = fit.count;
+  fit.u2 = std::max(0.0, (m * fit.u2 - longest2 * m / (m - 1)) / (m - 1));
+  fit.count = m - 1;
+  return fit;
+}
+
+bool normal_known(const Engine& e, const Fit& fit) {
+  if (fit.u2 <= 4 * e.variance) return false;
+  return std::sqrt(e.variance / (fit.count * (fit.u2 - e.variance))) < e.parameters.angle_rad / 2;
+}
+
+/// The thesis's diamond: vertices at the standard deviations along the two large axes.
+std::optional<geometry::Polygon> diamond(Engine& e, const geometry::Chart& chart, const Fit& fit) {
+  const Eigen::Vector3d a = std::sqrt(fit.u1) * fit.axis1, b = std::sqrt(fit.u2) * fit.axis2;
+  const bool right_handed = a.cross(b).dot(chart.normal()) > 0;
+  std::vector<geometry::NewVertex> cycle;
+  for (const Eigen::Vector3d& p : {a, right_handed ? b : Eigen::Vector3d(-b), Eigen::Vector3d(-a),
+                                   right_handed ? Eigen::Vector3d(-b) : b})
+    cycle.push_back({geometry::round_to_grid(chart.project(fit.centroid + p))});
+  const std::array cycles = {cycle};
+  return geometry::Polygon::from_cycles(cycles, e.edge_ids);
+}
+
+}  // namespace
+
+bool promotable(const Engine& e, const Fit& fit, const Eigen::Vector3d& axis_sum,
+                const std::vector<const std::vector<RawPoint>*>& raw) {
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  if (!e.rules().promotion) {
+    // Thesis §2.2: a polygon unless s_pt² < s_pp² or the points are collinear (two eigenvalues zero).
+    return fit.count >= 3 && fit.u3 < lambda2 && fit.u2 > 1e-9 * fit.u1 && fit.u2 > 0;
+  }
+  const double m = fit.count, v = e.variance;
+  if (m < 5 || fit.u3 > 4 * v * (m - 3) / m || !normal_known(e, fit)) return false;
+  const double cos_80 = 0.17364817766693033;
+  if (-fit.normal.dot(axis_sum) < cos_80 * std::sqrt(axis_sum.dot(axis_sum))) return false;
+  if (!e.rules().chance) return true;
+  const Fit firm = without_its_lever(e, fit, raw);
+  return normal_known(e, firm) && !plane_by_chance(firm, v);
+}
+
+std::unique_ptr<PolygonPart> diamond_part(Engine& e, const Fit& fit) {
+  auto part = std::make_unique<PolygonPart>();
+  part->chart = geometry::Chart(fit.plane(), fit.axis1, e.step);
+  auto perimeter = diamond(e, part->chart, fit);
+  if (!perimeter) return nullptr;  // too small for the grid
+  part->perimeter = std::move(*perimeter);
+  part->published = geometry::Lift(part->chart, fit.plane());
+  part->initial = fit.plane();
+  return part;
+}
+
+void promote(Engine& e, Segment& s, std::unique_ptr<PolygonPart> new_part) {
+  s.polygon = std::move(new_part);
+  PolygonPart& part = *s.polygon;
+  // The points are still there: the diamond is extended to them, from the middle outwards.
+  std::vector<std::pair<double, geometry::Point2>> points;
+  for (const RawPoint& raw : s.raw) {
+    const geometry::Point2 q = geometry::round_to_grid(part.chart.project(e.world(raw.at)));
+    points.emplace_back(geometry::squared_length(q), q);
+  }
+  std::stable_sort(points.begin(), points.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [distance2, q] : points) geometry::extend_to_point(part.perimeter, q, e.gap, e.edge_ids);
+  part.perimeter.take_removed();
+  for (const auto& created : part.perimeter.take_created()) part.fresh.push_back(created);
+  part.box = perimeter_box(part);
+  s.next_fit = s.moments.count() + 1;
+  update_index(e, s);
+  description_changed(e, s, part.box);
+  e.changes.push_back({Change::Kind::became_polygon, {}, {}, s.id, {}});
+}
+
+}  // namespace limpet::model::internal
