@@ -71,7 +71,7 @@ model::Parameters choose_parameters(const ModelArguments& args, PointStream& sca
   if (args.resolution) {
     parameters.resolution = *args.resolution;
   } else if (found.area_per_point > 0) {
-    parameters.resolution = suitable_resolution(found.area_per_point, parameters.noise);
+    parameters.resolution = suitable_resolution(found, parameters.noise);
   } else {
     throw io::InputError(args.scan,
                          "too few points lie on a surface to choose a resolution; give --resolution");
@@ -213,13 +213,13 @@ class Run {
   }
 
   void warn_of_density(const Summary& summary) const {
-    const double area = estimate(sample_).area_per_point;
-    const double density = summary.resolution * summary.resolution / area;
-    if (!(area > 0) || density >= kEnoughPoints) return;
+    const Estimate found = estimate(sample_);
+    const double density = summary.resolution * summary.resolution / found.area_per_point;
+    if (!(found.area_per_point > 0) || density >= kEnoughPoints) return;
     std::fprintf(stderr,
                  "limpet: warning: %.1f points per square of the resolution %.4g are too few for surfaces to "
                  "link up; --resolution %.3g would do\n",
-                 density, summary.resolution, suitable_resolution(area, summary.noise));
+                 density, summary.resolution, suitable_resolution(found, summary.noise));
   }
 
   const ModelArguments& args_;

@@ -124,15 +124,29 @@ double typical_noise(const std::vector<double>& noises) {
   return middle > 1.5 * low ? low : middle;
 }
 
-/// The mean of area over points is total area over all points, whatever the density does: 1/density is
-/// averaged over points that lie as the density says. The extremes are outliers'.
-double trimmed_mean(std::vector<double> values) {
-  if (values.empty()) return 0;
+/// Sorted, without the extremes: they are outliers'.
+std::vector<double> trimmed(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  values.resize(std::max<std::size_t>(1, values.size() * 97 / 100));
+  values.resize(values.size() - values.size() * 3 / 100);
+  return values;
+}
+
+/// The mean over points of area per point is total area over all points, whatever the density does: the
+/// points that are averaged over lie as the density says.
+double mean(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+/// The area per point that is exceeded on 5 % of the surface: each point stands for that much of it.
+double sparse(const std::vector<double>& ascending) {
+  double left = 0.05 * mean(ascending) * static_cast<double>(ascending.size());
+  for (auto at = ascending.rbegin(); at != ascending.rend(); ++at) {
+    left -= *at;
+    if (left <= 0) return *at;
+  }
+  return 0;
 }
 
 /// The finest scale first.
@@ -162,7 +176,8 @@ Estimate summarise(const Sample& sample, const std::vector<Patch>& patches) {
     areas.push_back(patch.area_per_point);
     noises.push_back(patch.noise);
   }
-  Estimate result{trimmed_mean(std::move(areas)), typical_noise(noises), sample.count()};
+  areas = trimmed(std::move(areas));
+  Estimate result{mean(areas), sparse(areas), typical_noise(noises), sample.count()};
   // What is left of exact readings is the rounding of their coordinates.
   double largest = 0;
   for (const auto& p : sample.points()) largest = std::max(largest, p.position.cwiseAbs().maxCoeff());
@@ -228,8 +243,10 @@ Estimate estimate(const std::function<void(const Take&)>& pass) {
   return summarise(sample, patches);
 }
 
-double suitable_resolution(double area_per_point, double noise) {
-  return std::max(2.2 * std::sqrt(area_per_point), 10 * noise);
+double suitable_resolution(const Estimate& estimate, double noise) {
+  const double usual = 2.2 * std::sqrt(estimate.area_per_point);
+  const double wide = std::min(std::sqrt(3 * estimate.sparse_area), 4 * usual / 3);
+  return std::max({usual, wide, 10 * noise});
 }
 
 }  // namespace limpet::app

@@ -30,6 +30,7 @@ class Sample {
 /// What a scan tells about itself. Zero where it does not (too few points, or all in one place).
 struct Estimate {
   double area_per_point = 0;  ///< of the surface, the square of the scan's unit; the mean over the surface
+  double sparse_area = 0;     ///< the same where the scan is sparse: on 95 % of the surface it is less
   double noise = 0;           ///< standard deviation of a reading along its axis, scan's unit
   std::int64_t points = 0;    ///< that were looked at
 };
@@ -42,7 +43,8 @@ Estimate estimate(const std::function<void(const Take&)>& pass);
 /// The same from a sample alone: coarser, but of a stream that passes only once.
 Estimate estimate(const Sample& sample);
 
-/// λ that suits the scan: about five points per λ², and ten times the noise at least.
-double suitable_resolution(double area_per_point, double noise);
+/// λ that suits the scan: about five points per λ², or, within a third more, three where the scan is sparse;
+/// and ten times the noise at least.
+double suitable_resolution(const Estimate& estimate, double noise);
 
 }  // namespace limpet::app
