@@ -64,9 +64,7 @@ bool in_conflict(const KeyedEdge& e, const KeyedEdge& f) {
          (ba && edges_overlap(e.b, e.a, f.b)) || (bb && edges_overlap(e.b, e.a, f.a));
 }
 
-Verdict judge_edges(std::span<const KeyedEdge> edges) {
-  for (const KeyedEdge& e : edges)
-    if (e.a == e.b) return Verdict::degenerate_edge;
+std::optional<std::pair<std::size_t, std::size_t>> find_conflict(std::span<const KeyedEdge> edges) {
   std::vector<std::uint32_t> order(edges.size());
   std::vector<Box2> boxes(edges.size());
   for (std::uint32_t i = 0; i < edges.size(); ++i) order[i] = i, boxes[i] = box_of(edges[i].a, edges[i].b);
@@ -77,10 +75,17 @@ Verdict judge_edges(std::span<const KeyedEdge> edges) {
   for (const std::uint32_t i : order) {
     std::erase_if(open, [&](std::uint32_t j) { return boxes[j].high.x < boxes[i].low.x; });
     for (const std::uint32_t j : open)
-      if (boxes[i].meets(boxes[j]) && in_conflict(edges[i], edges[j])) return Verdict::crossing;
+      if (boxes[i].meets(boxes[j]) && in_conflict(edges[i], edges[j]))
+        return std::pair<std::size_t, std::size_t>(j, i);
     open.push_back(i);
   }
-  return Verdict::valid;
+  return std::nullopt;
+}
+
+Verdict judge_edges(std::span<const KeyedEdge> edges) {
+  for (const KeyedEdge& e : edges)
+    if (e.a == e.b) return Verdict::degenerate_edge;
+  return find_conflict(edges) ? Verdict::crossing : Verdict::valid;
 }
 
 Verdict judge_cycles(std::span<const std::vector<NewVertex>> cycles) {

@@ -4,6 +4,7 @@
 // matters.
 #include <cmath>
 
+#include <limpet/geometry/mend.hpp>
 #include <limpet/geometry/predicates.hpp>
 
 #include "engine_internal.hpp"
@@ -25,25 +26,12 @@ std::vector<std::vector<geometry::NewVertex>> projected(const geometry::Chart& t
   return cycles;
 }
 
-/// Vertices closer than two steps to the one before go; what rounding broke there is mended by that.
-void drop_close(std::vector<std::vector<geometry::NewVertex>>& cycles) {
-  for (auto& cycle : cycles) {
-    std::vector<geometry::NewVertex> kept;
-    for (const auto& v : cycle)
-      if (kept.empty() || geometry::squared_length(v.at - kept.back().at) >= 4)
-        kept.push_back(v);
-      else
-        kept.back().edge = v.edge, kept.back().shared = v.shared;
-    while (kept.size() > 1 && geometry::squared_length(kept.front().at - kept.back().at) < 4) kept.pop_back();
-    cycle = std::move(kept);
-  }
-}
-
 std::optional<geometry::Polygon> polygon_in(Engine& e, const geometry::Chart& to, const geometry::Chart& from,
                                             const geometry::Lift& lift, const geometry::Polygon& polygon) {
   auto cycles = projected(to, from, lift, polygon);
   if (auto result = geometry::Polygon::from_cycles(cycles, e.edge_ids)) return result;
-  drop_close(cycles);
+  // What rounding broke is mended, as long as that changes less than (λ/4)².
+  if (!geometry::mend_cycles(cycles, e.gap * e.gap / 16)) return std::nullopt;
   return geometry::Polygon::from_cycles(cycles, e.edge_ids);
 }
 

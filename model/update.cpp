@@ -82,6 +82,14 @@ void release_all_point_segments(Engine& e) {
   }
 }
 
+bool drop_all_chance_holes(Engine& e) {
+  bool any = false;
+  if (e.rules().voids)
+    for (const auto& s : e.segments)
+      if (s && s->polygon) any |= drop_chance_holes(e, *s);
+  return any;
+}
+
 void mark_all(Engine& e) {
   for (const auto& s : e.segments) {
     if (!s) continue;
@@ -115,13 +123,11 @@ void finish(Engine& e) {
   for (int round = 0; round < kMaxFinishRounds; ++round) {
     mark_all(e);
     e.refused_pairs.clear();
-    const bool any = mergers_and_fissures(e);
+    bool any = mergers_and_fissures(e);
     clear_flags(e);
+    if (!any) any = drop_all_chance_holes(e);
     if (!any) break;
   }
-  if (e.rules().voids)
-    for (const auto& s : e.segments)
-      if (s && s->polygon) drop_chance_holes(e, *s);
 }
 
 }  // namespace limpet::model::internal
