@@ -11,6 +11,10 @@
 namespace limpet::model::internal {
 namespace {
 
+bool within(const Box3& a, const Box3& b, double reach) {
+  return a.squaredExteriorDistance(b) < reach * reach;
+}
+
 /// May the two be one plane? The smaller one's points are judged about the larger one's plane.
 bool planes_agree(const Engine& e, const Segment& a, const Segment& b) {
   const Segment& small = a.moments.count() < b.moments.count() ? a : b;
@@ -79,7 +83,9 @@ geometry::Merger merge_perimeters(Engine& e, geometry::Polygon& a, const geometr
 }  // namespace
 
 bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
-  if (!planes_agree(e, s1, s2) || remembered_as_refused(e, s1, s2)) return false;
+  if (!within(s1.polygon->box, s2.polygon->box, e.parameters.resolution) || !planes_agree(e, s1, s2) ||
+      remembered_as_refused(e, s1, s2))
+    return false;
   const bool first_larger = s1.polygon->perimeter.edge_count() >= s2.polygon->perimeter.edge_count();
   Segment &a = first_larger ? s1 : s2, &b = first_larger ? s2 : s1;
   PolygonPart& part = *a.polygon;
@@ -87,8 +93,8 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   if (!other) return remember_refusal(e, a, b), false;
   other->take_created();
   const auto merger = merge_perimeters(e, part.perimeter, *other);
-  if (merger == geometry::Merger::too_far) return false;
-  if (merger == geometry::Merger::refused) return remember_refusal(e, a, b), false;
+  if (merger == geometry::Merger::too_far || merger == geometry::Merger::refused)
+    return remember_refusal(e, a, b), false;
 
   const auto created = part.perimeter.take_created();
   part.fresh.insert(part.fresh.end(), created.begin(), created.end());
