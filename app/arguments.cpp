@@ -88,6 +88,13 @@ void require_writable(const std::string& path) {
   }
 }
 
+void refuse_folder(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw io::InputError(path, "is a folder; give the name of a file in it");
+  }
+}
+
 void save_text(const std::string& path, const std::string& text) {
   if (path == "-") {
     std::cout << text << std::flush;

@@ -32,6 +32,9 @@ std::string short_text(double number);
 /// Throws io::OutputError.
 void require_writable(const std::string& path);
 
+/// Refuses the name of a folder where a file is read. Throws io::InputError.
+void refuse_folder(const std::string& path);
+
 /// Writes a small text file, "-" being standard output. Throws io::OutputError.
 void save_text(const std::string& path, const std::string& text);
 

@@ -1,6 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limpet/app/arguments.hpp>
@@ -17,8 +16,7 @@ namespace {
 audit::Document read_document(const std::string& path) {
   try {
     if (path == "-") return audit::parse_document(std::cin);
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) throw io::InputError(path, "is a folder, not a model");
+    refuse_folder(path);
     std::ifstream file(path, std::ios::binary);
     if (!file) throw io::InputError(path, "there is no such file, or it may not be read");
     return audit::parse_document(file);

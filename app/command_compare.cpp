@@ -53,6 +53,8 @@ void print_row(const char* name, const simulation::DistanceSummary& d) {
 }  // namespace
 
 int run(const CompareArguments& args) {
+  refuse_folder(args.model);
+  refuse_folder(args.truth);
   const Subject subject = load_subject(args.model);
   const simulation::Mesh truth = simulation::make_scene(args.truth).mesh;
   const simulation::Comparison c = simulation::compare(subject.faces, truth);

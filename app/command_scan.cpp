@@ -49,6 +49,7 @@ std::string header_of(const ScanArguments& args) {
 int run(const ScanArguments& args) {
   require_writable(args.scan);
   order_of(args.order);
+  refuse_folder(args.mesh);
   const simulation::Scene scene = simulation::make_scene(args.mesh);
   const simulation::ScanOptions options = options_of(args, scene);
 

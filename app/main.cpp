@@ -2,6 +2,7 @@
 //
 // The command `limpet`: arguments in, exit code out. What each command does is in command_*.cpp.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -201,6 +202,11 @@ int parse_and_run(int argc, char** argv) {
   add_check(app, command);
   add_compare(app, command);
   add_draw(app, command);
+  const auto is_name = [&](const CLI::App* sub) { return sub->get_name() == argv[1]; };
+  const auto commands = app.get_subcommands({});
+  if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_name)) {
+    return fail("there is no command '" + std::string(argv[1]) + "'; see limpet --help", kBadInput);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

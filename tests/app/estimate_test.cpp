@@ -1,0 +1,79 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// What a scan tells about itself, against what it was made with.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limpet/app/estimate.hpp>
+#include <limpet/simulation/scan.hpp>
+#include <limpet/simulation/scene.hpp>
+
+namespace limpet::app {
+namespace {
+
+struct Case {
+  std::string shape;
+  std::int64_t points;
+  simulation::ScanOptions::Order order;
+  double noise, outliers;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.shape << ", " << c.points << " points, order " << static_cast<int>(c.order) << ", noise "
+       << c.noise << ", outliers " << c.outliers;
+}
+
+class EstimateTest : public ::testing::TestWithParam<Case> {};
+
+TEST_P(EstimateTest, SpacingAndNoiseComeNearTheTruth) {
+  const Case& c = GetParam();
+  const auto scene = simulation::make_scene(c.shape);
+  simulation::ScanOptions options;
+  options.points = c.points;
+  options.order = c.order;
+  options.noise = c.noise;
+  options.outliers = c.outliers;
+  options.viewpoints = scene.viewpoints;
+  const auto points = simulation::scan(scene.mesh, options);
+  double area = 0;
+  for (const auto& face : simulation::faces_of(scene.mesh)) area += face.area;
+
+  const Estimate found = estimate([&](const Take& take) {
+    for (const auto& p : points) take(p.point);
+  });
+  const double spacing = std::sqrt(area / static_cast<double>(points.size()));
+  EXPECT_EQ(found.points, static_cast<std::int64_t>(points.size()));
+  EXPECT_NEAR(std::sqrt(found.area_per_point) / spacing, 1, 0.3);
+  EXPECT_NEAR(found.noise, c.noise, 0.3 * c.noise);
+}
+
+using Order = simulation::ScanOptions::Order;
+INSTANTIATE_TEST_SUITE_P(Scans, EstimateTest,
+                         ::testing::Values(Case{"cube", 10'000, Order::raster, 0, 0},
+                                           Case{"cube", 10'000, Order::sampled, 0.002, 0},
+                                           Case{"cube", 200'000, Order::raster, 0.005, 0.01},
+                                           Case{"cube", 200'000, Order::shuffled, 0.02,
+                                                0},  // spacing a quarter of the noise
+                                           Case{"L", 50'000, Order::sampled, 0.005, 0.01},
+                                           Case{"thin_plate:0.05", 20'000, Order::raster, 0.002, 0},
+                                           Case{"step_hole", 100'000, Order::raster, 0.002, 0},
+                                           Case{"room:1", 100'000, Order::sampled, 0.005, 0},
+                                           Case{"city:25", 100'000, Order::raster, 0.005, 0.01}));
+
+TEST(Estimate, NothingToSay) {
+  EXPECT_EQ(estimate([](const Take&) {}).area_per_point, 0);
+  const Estimate same = estimate([](const Take& take) {
+    for (int i = 0; i < 100; ++i) take({Eigen::Vector3d(1, 2, 3), Eigen::Vector3d::UnitZ()});
+  });
+  EXPECT_EQ(same.area_per_point, 0);
+}
+
+TEST(Estimate, ARowOfPointsIsNoSurface) {
+  const Estimate row = estimate([](const Take& take) {
+    for (int i = 0; i < 1000; ++i) take({Eigen::Vector3d(0.01 * i, 0, 0), Eigen::Vector3d::UnitZ()});
+  });
+  EXPECT_EQ(row.area_per_point, 0);
+}
+
+}  // namespace
+}  // namespace limpet::app

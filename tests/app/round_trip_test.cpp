@@ -1,0 +1,58 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// scan → model → check → compare → draw, with answers that are known.
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace limpet::app {
+namespace {
+
+using RoundTrip = testing::ProgramTest;
+
+TEST_F(RoundTrip, CubeHasSixFaces) {
+  const auto scan_file = scan("c.ply", "cube", 20000, {"--noise", "0.001"});
+  const auto modelled = run({"model",   scan_file,      "-o",           path("m.limpet"),
+                             "-o",      path("m.off"),  "-o",           path("m.ply"),
+                             "-o",      path("m.obj"),  "-o",           path("m.stl"),
+                             "--noise", "0.001",        "--resolution", "0.05",
+                             "--json",  path("s.json"), "--stages",     "3"});
+  ASSERT_EQ(modelled.code, 0) << modelled.err;
+  const auto summary = nlohmann::json::parse(read(path("s.json")));
+  EXPECT_EQ(summary["polygons"], 6);
+  EXPECT_EQ(summary["holes"], 0);
+  EXPECT_EQ(summary["violations"], 0);
+  EXPECT_EQ(run({"check", path("m.limpet")}).code, 0);
+
+  const auto compared =
+      run({"compare", path("m.limpet"), "cube", "--faces", "exact", "--max-distance", "0.06", "--json", "-"});
+  EXPECT_EQ(compared.code, 0) << compared.err;
+  const auto distances = nlohmann::json::parse(compared.out);
+  EXPECT_EQ(distances["true_faces"], 6);
+  EXPECT_EQ(distances["polygons"], 6);
+  EXPECT_LT(distances["model_to_truth"]["max"], 0.02);
+
+  for (const std::string mesh : {"m.off", "m.ply", "m.obj", "m.stl"}) {
+    EXPECT_EQ(run({"compare", path(mesh), "cube", "--max-distance", "0.06"}).code, 0) << mesh;
+  }
+  for (const std::string picture : {"p.png", "p.svg"}) {
+    EXPECT_EQ(run({"draw", path("m.limpet"), "-o", path(picture), "--width", "400"}).code, 0);
+    EXPECT_GT(read(path(picture)).size(), 1000u);
+  }
+  EXPECT_EQ(run({"draw", path("m.stage1.limpet"), path("m.stage2.limpet"), path("m.stage3.limpet"), "-o",
+                 path("growth.png"), "--view", "1,-1,0.5", "--up", "0,0,1"})
+                .code,
+            0);
+  EXPECT_EQ(read(path("m.stage3.limpet")), read(path("m.limpet")));
+}
+
+TEST_F(RoundTrip, WhatIsNotGivenIsChosenAndSaid) {
+  const auto result =
+      run({"model", scan("c.ply", "cube", 20000, {"--noise", "0.001"}), "-o", path("m.limpet")});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.out.find("chosen from the scan: resolution 0.0"), std::string::npos) << result.out;
+  EXPECT_EQ(run({"compare", path("m.limpet"), "cube", "--faces", "exact"}).code, 0);
+}
+
+}  // namespace
+}  // namespace limpet::app

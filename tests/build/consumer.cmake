@@ -1,0 +1,20 @@
+# Installs the build into a folder of its own, builds the consumer against it, and lets it model a scan.
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${ARGV}\nended with ${result}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/installed
+  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=${FLAGS})
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/installed/bin/limpet scan cube -o ${WORK}/cube.ply --points 20000 --seed 1)
+run(${WORK}/build/model_a_scan ${WORK}/cube.ply ${WORK}/cube.limpet)
+if(NOT output MATCHES "^6 polygons")
+  message(FATAL_ERROR "the consumer found '${output}' in a cube")
+endif()
+run(${WORK}/installed/bin/limpet check ${WORK}/cube.limpet)

@@ -1,0 +1,2 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+int main() {}
