@@ -90,6 +90,12 @@ bool drop_all_chance_holes(Engine& e) {
   return any;
 }
 
+/// Marks what the last round left changed.
+void mark_changed(Engine& e) {
+  for (const auto& s : e.segments)
+    if (s && s->polygon && !(s->polygon->changed.isEmpty() && s->polygon->fresh.empty())) mark_modified(e, *s);
+}
+
 void mark_all(Engine& e) {
   for (const auto& s : e.segments) {
     if (!s) continue;
@@ -120,13 +126,13 @@ void finish(Engine& e) {
   for (const auto& s : e.segments)
     if (s && s->polygon) refit(e, *s);
   release_all_point_segments(e);
+  mark_all(e);
+  e.refused_pairs.clear();
   for (int round = 0; round < kMaxFinishRounds; ++round) {
-    mark_all(e);
-    e.refused_pairs.clear();
-    bool any = mergers_and_fissures(e);
+    const bool any = mergers_and_fissures(e) || drop_all_chance_holes(e);
     clear_flags(e);
-    if (!any) any = drop_all_chance_holes(e);
     if (!any) break;
+    mark_changed(e);
   }
 }
 

@@ -40,7 +40,7 @@ bool drop_chance_holes(Engine& e, Segment& s) {
   if (edit.removed_cycles.empty() || perimeter.judge(edit) != geometry::Verdict::valid) return false;
   perimeter.commit(edit, e.edge_ids);
   e.changes.push_back({Change::Kind::edges_removed, {}, {}, s.id, perimeter.take_removed()});
-  ++s.polygon->shape;
+  description_changed(e, s, s.polygon->box);
   return true;
 }
 
