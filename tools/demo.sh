@@ -33,7 +33,7 @@ kinect=${LIMPET_DATA:-../shared/data}/pcl_mOSD/learn20.pcd
 if [ -f "$kinect" ]; then show kinect "$kinect"; fi
 
 echo "--- step_hole: simulated"
-"$limpet" scan step_hole -o build/demo/step_hole.ply --points 50000 --noise 0.002 --seed 7
+"$limpet" scan step_hole -o build/demo/step_hole.ply --points 100000 --noise 0.002 --seed 7
 show step_hole build/demo/step_hole.ply --stages 4
 "$limpet" compare "$out/step_hole.limpet" step_hole
 "$limpet" draw "$out"/step_hole.stage?.limpet -o "$out/step_hole_growth.png"

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // What scripts rely on: keys, exit codes, the same bytes.
+#include <limpet/model/rules.hpp>
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
@@ -105,6 +106,13 @@ TEST_F(Contract, CompareOutsideItsBounds) {
   EXPECT_EQ(run({"compare", path("m.limpet"), "cube", "--max-distance", "0.1", "--faces", "exact"}).code, 0);
   EXPECT_EQ(run({"compare", path("m.limpet"), "cube", "--max-distance", "1e-9"}).code, 1);
   EXPECT_EQ(run({"compare", path("m.limpet"), "L", "--faces", "exact"}).code, 1);
+}
+
+TEST_F(Contract, EveryRuleIsDocumented) {
+  const std::string page = read(LIMPET_SOURCE_DIR "/docs/rules.md");
+  for (const auto& rule : model::Rules::names()) {
+    EXPECT_NE(page.find("| `" + rule + "` |"), std::string::npos) << rule;
+  }
 }
 
 }  // namespace
