@@ -11,7 +11,8 @@ namespace limpet::model::internal {
 namespace {
 
 /// Where edges that are still there begin.
-Box3 place_of(const PolygonPart& part, const std::vector<std::pair<geometry::Slot, geometry::EdgeId>>& edges) {
+Box3 place_of(const PolygonPart& part,
+              const std::vector<std::pair<geometry::Slot, geometry::EdgeId>>& edges) {
   Box3 where;
   for (const auto& [slot, edge] : edges) {
     if (!part.perimeter.alive(slot)) continue;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <limpet/geometry/merge.hpp>
+#include <limpet/geometry/predicates.hpp>
 
 #include "engine_internal.hpp"
 
@@ -70,6 +71,27 @@ std::vector<geometry::EdgeId> lost_edges(
   return lost;
 }
 
+/// Has b an edge within the gap of a's perimeter, as boxes tell, or does it lie inside? Much cheaper than
+/// bringing b into a's chart, and seldom true of two polygons whose boxes are near.
+bool may_meet(const Engine& e, const PolygonPart& a, const PolygonPart& b) {
+  const auto in_a = [&](geometry::Slot s) {
+    const geometry::Point2 p = b.perimeter.at(s);
+    return a.chart.project(b.chart.at(p, b.published(p)));
+  };
+  bool first = true;
+  for (std::uint32_t i = 0; i < b.perimeter.slot_count(); ++i) {
+    const geometry::Slot s{i};
+    if (!b.perimeter.alive(s)) continue;
+    const geometry::Point2 p = in_a(s);
+    const geometry::Box2 box = geometry::box_of(p, in_a(b.perimeter.next(s))).grown(e.gap + 1);
+    if (a.perimeter.any_edge_near(box, [](geometry::Slot) { return true; })) return true;
+    if (first && a.perimeter.locate(geometry::round_to_grid(p)) != geometry::Polygon::Side::outside)
+      return true;
+    first = false;
+  }
+  return false;
+}
+
 /// With the thesis's rules a merger that leaves a hole fails.
 geometry::Merger merge_perimeters(Engine& e, geometry::Polygon& a, const geometry::Polygon& b) {
   if (e.rules().holes) return geometry::merge_polygons(a, b, e.gap, e.edge_ids);
@@ -89,6 +111,7 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   const bool first_larger = s1.polygon->perimeter.edge_count() >= s2.polygon->perimeter.edge_count();
   Segment &a = first_larger ? s1 : s2, &b = first_larger ? s2 : s1;
   PolygonPart& part = *a.polygon;
+  if (!may_meet(e, part, *b.polygon)) return remember_refusal(e, a, b), false;
   auto other = in_chart_of(e, part.chart, *b.polygon);
   if (!other) return remember_refusal(e, a, b), false;
   other->take_created();

@@ -93,7 +93,8 @@ bool drop_all_chance_holes(Engine& e) {
 /// Marks what the last round left changed.
 void mark_changed(Engine& e) {
   for (const auto& s : e.segments)
-    if (s && s->polygon && !(s->polygon->changed.isEmpty() && s->polygon->fresh.empty())) mark_modified(e, *s);
+    if (s && s->polygon && !(s->polygon->changed.isEmpty() && s->polygon->fresh.empty()))
+      mark_modified(e, *s);
 }
 
 void mark_all(Engine& e) {
