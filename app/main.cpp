@@ -215,7 +215,9 @@ int parse_and_run(int argc, char** argv) {
     const std::string help = chosen.empty() ? "limpet" : "limpet " + chosen.front()->get_name();
     return fail(std::string(error.what()) + "; see " + help + " --help", kBadInput);
   }
-  return command();
+  const int code = command();
+  if (std::fflush(stdout) != 0) throw limpet::io::OutputError("standard output: cannot be written");
+  return code;
 }
 
 }  // namespace

@@ -58,7 +58,11 @@ INSTANTIATE_TEST_SUITE_P(Scans, EstimateTest,
                                            Case{"thin_plate:0.05", 20'000, Order::raster, 0.002, 0},
                                            Case{"step_hole", 100'000, Order::raster, 0.002, 0},
                                            Case{"room:1", 100'000, Order::sampled, 0.005, 0},
-                                           Case{"city:25", 100'000, Order::raster, 0.005, 0.01}));
+                                           Case{"city:25", 100'000, Order::raster, 0.005, 0.01}),
+                         [](const auto& test) {
+                           const std::string shape = test.param.shape.substr(0, test.param.shape.find(':'));
+                           return shape + "_" + std::to_string(test.index);
+                         });
 
 TEST(Estimate, NothingToSay) {
   EXPECT_EQ(estimate([](const Take&) {}).area_per_point, 0);
