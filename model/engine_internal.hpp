@@ -33,11 +33,13 @@ struct RawPoint {
 struct PolygonPart {
   geometry::Chart chart;
   geometry::Polygon perimeter;
-  geometry::Lift published;  ///< plane that perimeters are lifted to
-  geometry::Plane initial;   ///< thesis §2.4.1
-  Box3 box;                  ///< of the perimeter in the world
-  Box3 changed;              ///< where the description has changed since step 2 last saw it; empty: nowhere
-  std::uint64_t shape = 0;   ///< counts changes of the description
+  geometry::Lift published;                           ///< plane that perimeters are lifted to
+  Eigen::Vector3d outward = Eigen::Vector3d::Zero();  ///< normal of the published plane
+  geometry::Plane initial;                            ///< thesis §2.4.1
+  Box3 box;                                           ///< of the perimeter in the world
+  Box3 changed;             ///< where the description has changed since step 2 last saw it; empty: nowhere
+  bool stale = false;       ///< the fit has moved on, but its plane could not be published
+  std::uint64_t shape = 0;  ///< counts changes of the description
   std::vector<std::pair<geometry::Slot, geometry::EdgeId>> fresh;  ///< edges not yet looked at for fissures
 };
 
@@ -98,6 +100,12 @@ struct Engine {
   const Rules& rules() const { return parameters.rules; }
 };
 
+/// Does an outward normal face away from where the sensing axes point? With a margin, so that it holds
+/// exactly, too.
+inline bool faces_outside(const Eigen::Vector3d& normal, const Eigen::Vector3d& axis_sum) {
+  return normal.dot(axis_sum) < -1e-6;
+}
+
 /// Cosine by its series: the same bits everywhere. Precondition: |x| ≤ 2.
 double cosine(double x);
 
@@ -155,6 +163,9 @@ bool merge_segment_into_polygon(Engine&, Segment& polygon, Segment& point_segmen
 bool merge_polygon_segments(Engine&, Segment&, Segment&);
 /// Step 2a for polygons; returns whether any merger succeeded.
 bool merge_modified_polygons(Engine&);
+
+/// Would the points' variance about the published plane stay below λ² with these moments (thesis §2.2)?
+bool variance_allowed(const Engine&, const PolygonPart&, const Moments& merged);
 
 // publish.cpp: the fit, the published plane, the chart
 void refit(Engine&, Segment&);

@@ -42,11 +42,15 @@ namespace {
 
 /// The rules that look at the merged moments: the thesis's variance, and the initial plane while the polygon
 /// is young (later the fit moves too little between two refits to drift unseen).
-bool merged_fit_accepted(const Engine& e, const Segment& polygon, const Moments& added) {
+bool merged_fit_accepted(const Engine& e, const Segment& polygon, const Moments& added,
+                         const Eigen::Vector3d& axis) {
+  if (!faces_outside(polygon.polygon->outward, polygon.axis_sum + axis)) return false;
   const bool check_variance = !e.rules().residual;
-  if (!check_variance && !polygon.young()) return true;
+  if (!check_variance && !polygon.young() && !polygon.polygon->stale) return true;
   Moments merged = polygon.moments;
   merged.add(added);
+  if (!variance_allowed(e, *polygon.polygon, merged)) return false;
+  if (!check_variance && !polygon.young()) return true;
   const Fit fit = fit_to(merged, e.step, -polygon.fit.normal);
   if (check_variance && fit.u3 >= e.parameters.resolution * e.parameters.resolution) return false;
   return !differs_from_initial(e, *polygon.polygon, fit);
@@ -82,7 +86,8 @@ void joined(Engine& e, Segment& polygon) {
 }  // namespace
 
 bool merge_point_into_polygon(Engine& e, Segment& polygon, const RawPoint& raw, const Standing& st) {
-  if (!merged_fit_accepted(e, polygon, Moments(raw.at)) || !extend_perimeter(e, polygon, st)) return false;
+  if (!merged_fit_accepted(e, polygon, Moments(raw.at), raw.axis) || !extend_perimeter(e, polygon, st))
+    return false;
   const bool young = polygon.young();
   polygon.moments.add(raw.at);
   polygon.axis_sum += raw.axis;
@@ -96,7 +101,8 @@ bool merge_point_into_polygon(Engine& e, Segment& polygon, const RawPoint& raw, 
 }
 
 bool merge_segment_into_polygon(Engine& e, Segment& polygon, Segment& point, const Standing& st) {
-  if (!merged_fit_accepted(e, polygon, point.moments) || !extend_perimeter(e, polygon, st)) return false;
+  if (!merged_fit_accepted(e, polygon, point.moments, point.axis_sum) || !extend_perimeter(e, polygon, st))
+    return false;
   const bool young =
       polygon.young() && point.young() && polygon.moments.count() + point.moments.count() <= kYoung;
   polygon.moments.add(point.moments);

@@ -27,6 +27,9 @@ bool planes_agree(const Engine& e, const Segment& a, const Segment& b) {
   }
   const double cos_limit = limit_rad == e.parameters.angle_rad ? e.cos_angle : cosine(limit_rad);
   if (a.fit.normal.dot(b.fit.normal) <= cos_limit) return false;
+  const Eigen::Vector3d axis_sum = a.axis_sum + b.axis_sum;
+  if (!faces_outside(a.polygon->outward, axis_sum) || !faces_outside(b.polygon->outward, axis_sum))
+    return false;
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   if (e.rules().residual) {
     const double residual2 = small.moments.squared_residual(large.fit.plane(), e.step);
@@ -37,7 +40,8 @@ bool planes_agree(const Engine& e, const Segment& a, const Segment& b) {
   }
   Moments merged = a.moments;
   merged.add(b.moments);
-  return fit_to(merged, e.step, -large.fit.normal).u3 < lambda2;
+  return variance_allowed(e, *a.polygon, merged) && variance_allowed(e, *b.polygon, merged) &&
+         fit_to(merged, e.step, -large.fit.normal).u3 < lambda2;
 }
 
 bool remembered_as_refused(const Engine& e, const Segment& a, const Segment& b) {

@@ -24,18 +24,26 @@ bool plane_by_chance(const Fit& fit, double variance) {
   return probability > 1e-5;
 }
 
-/// The fit without the point that most determines the plane: the one farthest off the long axis. A scan line
-/// and one outlier lie in a plane perfectly; without the outlier they do not make one.
-Fit without_its_lever(const Engine& e, Fit fit, const std::vector<const std::vector<RawPoint>*>& raw) {
-  double longest2 = 0;
-  for (const auto* points : raw)
-    for (const RawPoint& r : *points) {
-      const double across = fit.axis2.dot(e.world(r.at) - fit.centroid);
-      longest2 = std::max(longest2, across * across);
-    }
-  const double m = fit.count;
-  fit.u2 = std::max(0.0, (m * fit.u2 - longest2 * m / (m - 1)) / (m - 1));
-  fit.count = m - 1;
+/// The fit without the `levers` points that most determine the plane: those farthest off the long axis. A
+/// scan line and one or two outliers lie in a plane only too easily; without the outliers they are no plane
+/// at all.
+Fit without_levers(const Engine& e, Fit fit, const std::vector<const std::vector<RawPoint>*>& raw,
+                   int levers) {
+  std::vector<GridPoint> points;
+  for (const auto* some : raw)
+    for (const RawPoint& r : *some) points.push_back(r.at);
+  if (static_cast<double>(points.size()) != fit.count) return fit;  // not all are kept any more
+  for (; levers > 0 && points.size() > 3; --levers) {
+    const auto across = [&](const GridPoint& p) {
+      return std::abs(fit.axis2.dot(e.world(p) - fit.centroid));
+    };
+    points.erase(std::max_element(points.begin(), points.end(), [&](const GridPoint& a, const GridPoint& b) {
+      return across(a) < across(b);
+    }));
+    Moments moments;
+    for (const GridPoint& p : points) moments.add(p);
+    fit = fit_to(moments, e.step, -fit.normal);  // the long axis turns when its lever goes
+  }
   return fit;
 }
 
@@ -63,15 +71,17 @@ bool promotable(const Engine& e, const Fit& fit, const Eigen::Vector3d& axis_sum
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   if (!e.rules().promotion) {
     // Thesis §2.2: a polygon unless s_pt² < s_pp² or the points are collinear (two eigenvalues zero).
-    return fit.count >= 3 && fit.u3 < lambda2 && fit.u2 > 1e-9 * fit.u1 && fit.u2 > 0;
+    return fit.count >= 3 && fit.u3 < lambda2 && fit.u2 > 1e-9 * fit.u1 && fit.u2 > 0 &&
+           faces_outside(fit.normal, axis_sum);
   }
   const double m = fit.count, v = e.variance;
   if (m < 5 || fit.u3 > 4 * v * (m - 3) / m || !normal_known(e, fit)) return false;
+  if (!faces_outside(fit.normal, axis_sum)) return false;
   const double cos_80 = 0.17364817766693033;
   if (-fit.normal.dot(axis_sum) < cos_80 * std::sqrt(axis_sum.dot(axis_sum))) return false;
   if (!e.rules().chance) return true;
-  const Fit firm = without_its_lever(e, fit, raw);
-  return normal_known(e, firm) && !plane_by_chance(firm, v);
+  const Fit firm = without_levers(e, fit, raw, 1);
+  return normal_known(e, firm) && !plane_by_chance(firm, v) && without_levers(e, fit, raw, 2).u2 > 4 * v;
 }
 
 std::unique_ptr<PolygonPart> diamond_part(Engine& e, const Fit& fit) {
@@ -81,6 +91,7 @@ std::unique_ptr<PolygonPart> diamond_part(Engine& e, const Fit& fit) {
   if (!perimeter) return nullptr;  // too small for the grid
   part->perimeter = std::move(*perimeter);
   part->published = geometry::Lift(part->chart, fit.plane());
+  part->outward = fit.normal;
   part->initial = fit.plane();
   return part;
 }

@@ -55,6 +55,7 @@ bool rechart(Engine& e, Segment& s) {
   part.chart = chart;
   part.perimeter = std::move(*perimeter);
   part.published = geometry::Lift(chart, plane);
+  part.outward = plane.normal;
   part.perimeter.take_removed();
   part.fresh = part.perimeter.take_created();
   return true;
@@ -82,15 +83,26 @@ void refit_if_due(Engine& e, Segment& s) {
   if (s.young() || s.moments.count() >= s.next_fit) refit(e, s);
 }
 
+bool variance_allowed(const Engine& e, const PolygonPart& part, const Moments& merged) {
+  // A margin, so that it holds exactly, too.
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  return merged.squared_residual(part.published.plane(part.chart), e.step) < 0.999 * lambda2;
+}
+
 void publish(Engine& e, Segment& s) {
   PolygonPart& part = *s.polygon;
   const geometry::Lift lift(part.chart, s.fit.plane());
   // A shift d of the plane moves an intersection line by up to d / sin μ.
   const double shift = largest_shift(lift, part.published, part.perimeter.box());
+  part.stale = false;
   if (shift <= e.gap / 16 * e.sin_angle) return;
+  part.stale = s.moments.count() > 0 && !faces_outside(s.fit.normal, s.axis_sum);
+  if (part.stale) return;
   if (!(lift.squared_tilt() > kRechartTilt2 && rechart(e, s))) {
-    if (lift.squared_tilt() > kMaxTilt2) return;
+    part.stale = lift.squared_tilt() > kMaxTilt2;
+    if (part.stale) return;
     part.published = lift;
+    part.outward = s.fit.normal;
   }
   part.box = perimeter_box(part);
   description_changed(e, s, part.box);

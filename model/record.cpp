@@ -63,6 +63,7 @@ void polygon_from(Engine& e, const PolygonSegmentRecord& r) {
   PolygonPart& part = *s.polygon;
   part.chart = geometry::Chart(r.chart_origin, r.chart_u, r.chart_v, r.chart_normal, e.step);
   part.published.h0 = r.height[0], part.published.hx = r.height[1], part.published.hy = r.height[2];
+  part.outward = part.published.plane(part.chart).normal;
   part.initial = {r.initial_centroid, r.initial_normal};
   std::vector<std::vector<geometry::NewVertex>> cycles;
   for (const auto& cycle : r.cycles) {
