@@ -16,7 +16,6 @@
 #include <new>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace {
 
@@ -25,16 +24,14 @@ using Command = std::function<int()>;
 
 /// Options with commas in them (x,y,z) are taken as text and read by our own parsers.
 CLI::Option* text_option(CLI::App& app, const std::string& names, const std::string& type,
-                         const std::string& help, std::function<void(const std::string&)> take) {
-  return app.add_option_function<std::string>(names, std::move(take), help)->type_name(type);
+                         const std::string& help, const std::function<void(const std::string&)>& take) {
+  return app.add_option_function<std::string>(names, take, help)->type_name(type);
 }
 
 CLI::Option* length_option(CLI::App& app, const std::string& name, const std::string& help, bool zero,
-                           std::function<void(double)> take) {
+                           const std::function<void(double)>& take) {
   return text_option(app, name, "LENGTH", help,
-                     [name, zero, take = std::move(take)](const std::string& text) {
-                       take(parse_length(name, text, zero));
-                     });
+                     [name, zero, take](const std::string& text) { take(parse_length(name, text, zero)); });
 }
 
 template <class Arguments>

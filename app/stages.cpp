@@ -10,7 +10,7 @@ namespace limpet::app {
 void Stages::look(const model::Model& model) {
   if (count_ < 2 || ++sets_ < next_) return;
   kept_.push_back(model.record());
-  if (kept_.size() >= static_cast<std::size_t>(4 * count_)) {
+  if (kept_.size() >= 4 * static_cast<std::size_t>(count_)) {
     for (std::size_t i = 0; 2 * i + 1 < kept_.size(); ++i) kept_[i] = std::move(kept_[2 * i + 1]);
     kept_.resize(kept_.size() / 2);
     interval_ *= 2;
