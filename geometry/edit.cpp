@@ -154,12 +154,14 @@ Verdict Polygon::judge_orientation(const Edit& edit, const Difference& d) const 
 
 bool Polygon::inside_others(const std::vector<Point2>& cycle, const Difference& d) const {
   std::vector<Segment2> edges;
-  // The new boundary is the old one exclusive-or the sweep, so a vertex off the old one is placed by locate().
+  // The new boundary is the old one exclusive-or the sweep, so a vertex off the old one is placed by
+  // locate().
   for (const Point2 p : cycle) {
     const Side side = locate(p);
     if (side == Side::boundary) continue;
     edges = d.sweep;
-    for (std::size_t i = 0; i < cycle.size(); ++i) edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
+    for (std::size_t i = 0; i < cycle.size(); ++i)
+      edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
     return (side == Side::inside) != inside_even_odd(edges, p);
   }
   for (const Node& n : nodes_)
