@@ -37,7 +37,7 @@ struct Counts {
 
 /// An incremental planar polyhedral surface model (thesis chapter 2).
 ///
-///     Model model({.resolution = 0.05, .noise = 0.001});
+///     Model model(Parameters{.resolution = 0.05, .noise = 0.001});
 ///     while (auto readings = sense()) model.update(readings);
 ///     model.finish();
 ///     io::write_mesh(model.record(), "model.off");
