@@ -39,19 +39,25 @@ bool no_edge_in(const Polygon& polygon, const Box2& box) {
   return !polygon.any_edge_near(box, [](Slot) { return true; });
 }
 
-/// Takes away vertices of a near b that end needles: spikes less than eight grid steps wide, which rounding
-/// closes wherever the other perimeter crosses them. Whether there was one.
-bool trim_needles(Polygon& a, const Box2& box, EdgeIds& ids) {
-  std::vector<std::pair<Slot, EdgeId>> near;
-  a.any_edge_near(box, [&](Slot s) { return near.emplace_back(s, a.node(s).edge), false; });
-  bool any = false;
-  for (const auto& [s, edge] : near) {
-    if (!a.alive(s) || a.node(s).edge != edge || a.node(s).shared || a.node(a.prev(s)).shared) continue;
+/// Vertices of a in the box that end needles: spikes less than eight grid steps wide, which rounding closes
+/// wherever the other perimeter crosses them.
+std::vector<std::pair<Slot, EdgeId>> needles(const Polygon& a, const Box2& box) {
+  std::vector<std::pair<Slot, EdgeId>> found;
+  a.any_edge_near(box, [&](Slot s) {
+    if (a.node(s).shared || a.node(a.prev(s)).shared) return false;
     const Point2 tip = a.at(s), before = a.at(a.prev(s)) - tip, after = a.end(s) - tip;
-    const double shorter2 = std::min(squared_length(before), squared_length(after));
     const double longer2 = std::max(squared_length(before), squared_length(after));
     const double width = cross(before, after);  // times the longer side
-    if (dot(before, after) <= 0 || width * width >= 64 * longer2 || shorter2 == 0) continue;
+    if (dot(before, after) > 0 && width * width < 64 * longer2) found.emplace_back(s, a.node(s).edge);
+    return false;
+  });
+  return found;
+}
+
+bool take_away(Polygon& a, const std::vector<std::pair<Slot, EdgeId>>& tips, EdgeIds& ids) {
+  bool any = false;
+  for (const auto& [s, edge] : tips) {
+    if (!a.alive(s) || a.node(s).edge != edge) continue;
     Edit edit;
     edit.chains.push_back({a.prev(s), {}, a.next(s)});
     if (a.judge(edit) != Verdict::valid) continue;
@@ -77,8 +83,10 @@ Merger merge_as_they_are(Polygon& a, const Polygon& b, double gap, EdgeIds& ids)
 Merger merge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
   const Merger merger = merge_as_they_are(a, b, gap, ids);
   if (merger != Merger::refused) return merger;
+  const auto tips = needles(a, b.box().grown(gap));
+  if (tips.empty()) return merger;
   Polygon trimmed = a;
-  if (!trim_needles(trimmed, b.box().grown(gap), ids)) return merger;
+  if (!take_away(trimmed, tips, ids)) return merger;
   const Merger second = merge_as_they_are(trimmed, b, gap, ids);
   if (second != Merger::united && second != Merger::bridged) return merger;
   a = std::move(trimmed);

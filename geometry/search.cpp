@@ -2,6 +2,7 @@
 #include <limpet/geometry/search.hpp>
 
 #include <limpet/geometry/judge.hpp>
+#include <limpet/geometry/predicates.hpp>
 
 namespace limpet::geometry {
 
@@ -28,6 +29,19 @@ std::optional<PerimeterPoint> nearest_perimeter_point(const Polygon& polygon, Po
     return false;
   });
   return best;
+}
+
+bool any_edge_within(const Polygon& polygon, Point2 a, Point2 b, double within) {
+  const auto squared_distance = [](Point2 p, Point2 c, Point2 d) {
+    return squared_length(c + nearest_fraction(c, d, p) * (d - c) - p);
+  };
+  const double limit = within * within;
+  return polygon.any_edge_near(box_of(a, b).grown(within), [&](Slot s) {
+    const Point2 c = polygon.at(s), d = polygon.end(s);
+    return squared_distance(a, c, d) < limit || squared_distance(b, c, d) < limit ||
+           squared_distance(c, a, b) < limit || squared_distance(d, a, b) < limit ||
+           segments_meet(a, b, c, d);
+  });
 }
 
 bool sights(const Polygon& polygon, SightEnd p, SightEnd q, std::initializer_list<Slot> ignored) {

@@ -24,6 +24,10 @@ struct PerimeterPoint {
 std::optional<PerimeterPoint> nearest_perimeter_point(const Polygon&, Point2 p, double within,
                                                       std::optional<CycleId> cycle = {});
 
+/// Has the polygon an edge nearer to the segment ab than `within` (grid steps)? Not exact: for the outcome of
+/// a comparison that must be, allow a grid step more.
+bool any_edge_within(const Polygon&, Point2 a, Point2 b, double within);
+
 /// An end of a line of sight: a point, and the vertex it is if it is one.
 struct SightEnd {
   Point2 at;

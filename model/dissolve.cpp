@@ -10,23 +10,31 @@
 namespace limpet::model::internal {
 namespace {
 
-bool fits_a_mature_polygon(Engine& e, const RawPoint& raw, const Segment& own) {
+/// Mature polygons that points of the segment may fit.
+std::vector<const Segment*> mature_polygons_around(Engine& e, const Segment& s) {
+  Box3 box;
+  for (const RawPoint& raw : s.raw) box.extend(e.world(raw.at));
+  e.index.query(box, e.found);
+  std::vector<const Segment*> result;
+  for (const std::uint32_t slot : e.found)
+    if (const Segment& other = e.at(slot); &other != &s && other.mature_polygon()) result.push_back(&other);
+  return result;
+}
+
+bool fits(const Engine& e, const RawPoint& raw, const Segment& polygon) {
   const Eigen::Vector3d p = e.world(raw.at);
-  e.index.query(box_around(p, 0), e.found);
-  for (const std::uint32_t slot : e.found) {
-    const Segment& s = e.at(slot);
-    if (&s == &own || !s.mature_polygon()) continue;
-    const double h = s.fit.plane().height_of(p);
-    if (h * h <= residual_limit(e, s, p) && standing(e, s, p, raw.axis, h * h).near) return true;
-  }
-  return false;
+  if (!polygon.indexed.contains(p)) return false;
+  const double h = polygon.fit.plane().height_of(p);
+  return h * h <= residual_limit(e, polygon, p) && standing(e, polygon, p, raw.axis, h * h).near;
 }
 
 bool mostly_fits_neighbours(Engine& e, const Segment& s) {
+  const auto polygons = mature_polygons_around(e, s);
+  if (polygons.empty()) return false;
   std::size_t fitting = 0;
   for (const RawPoint& raw : s.raw) {
     if (raw.returned >= kMaxReturns) return false;
-    fitting += fits_a_mature_polygon(e, raw, s);
+    fitting += std::any_of(polygons.begin(), polygons.end(), [&](auto* p) { return fits(e, raw, *p); });
   }
   return fitting > 0 && 5 * fitting >= s.raw.size();
 }
@@ -51,8 +59,8 @@ bool dissolve_young(Engine& e) {
     if (!e.segments[slot]) continue;
     const Segment& s = e.at(slot);
     if (s.young()) look.emplace_back(s.id, slot);
-    if (!s.mature_polygon() || s.polygon->changed.isEmpty()) continue;
-    e.index.query(s.polygon->changed, e.found);
+    if (!s.mature_polygon() || s.polygon->changed.empty()) continue;
+    query(e, s.polygon->changed, e.found);
     for (const std::uint32_t near : e.found)
       if (e.at(near).young()) look.emplace_back(e.at(near).id, near);
   }
@@ -60,7 +68,7 @@ bool dissolve_young(Engine& e) {
   look.erase(std::unique(look.begin(), look.end()), look.end());
   bool any = false;
   for (const auto& [id, slot] : look) {
-    Segment* s = e.find(id);
+    Segment* s = e.find(id, slot);
     if (!s || !mostly_fits_neighbours(e, *s)) continue;
     release_points(e, *s, true);
     any = true;

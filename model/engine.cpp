@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -36,6 +37,32 @@ Engine::Engine(const Parameters& p) : parameters(p) {
   gap = p.resolution / step;
   cos_angle = cosine(p.angle_rad);
   sin_angle = std::sqrt(1 - cos_angle * cos_angle);
+}
+
+void Places::add(const Box3& place) {
+  constexpr std::size_t kMost = 32;
+  if (place.isEmpty()) return;
+  for (Box3& box : boxes_) {
+    const Box3 both = box.merged(place);
+    if (both.diagonal().norm() > box.diagonal().norm() + place.diagonal().norm()) continue;
+    box = both;
+    return;
+  }
+  if (boxes_.size() == kMost)
+    boxes_.back().extend(place);
+  else
+    boxes_.push_back(place);
+}
+
+void query(const Engine& e, const Places& places, std::vector<std::uint32_t>& found) {
+  found.clear();
+  std::vector<std::uint32_t> some;
+  for (const Box3& box : places.boxes()) {
+    e.index.query(box, some);
+    found.insert(found.end(), some.begin(), some.end());
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
 Segment* Engine::find(SegmentId id) {
@@ -116,9 +143,24 @@ Box3 perimeter_box(const PolygonPart& part) {
   return box;
 }
 
-void description_changed(Engine& e, Segment& s, const Box3& where) {
+Places places_of(const PolygonPart& part,
+                 std::span<const std::pair<geometry::Slot, geometry::EdgeId>> edges) {
+  const auto at = [&](geometry::Slot s) {
+    const geometry::Point2 v = part.perimeter.at(s);
+    return part.chart.at(v, part.published(v));
+  };
+  Places places;
+  for (const auto& [slot, edge] : edges) {
+    if (!part.perimeter.alive(slot)) continue;
+    Box3 box(at(slot));
+    places.add(box.extend(at(part.perimeter.next(slot))));
+  }
+  return places;
+}
+
+void description_changed(Engine& e, Segment& s, const Places& where) {
   ++s.polygon->shape;
-  s.polygon->changed.extend(where);
+  s.polygon->changed.add(where);
   mark_modified(e, s);
 }
 

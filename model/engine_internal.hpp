@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -29,6 +30,24 @@ struct RawPoint {
   std::int64_t serial = -1;  ///< place in the labels, when they are kept
 };
 
+/// A few places in the world, as boxes. Near ones are joined, so that a change here and one far away do not
+/// ask for a look at all that lies between.
+class Places {
+ public:
+  Places() = default;
+  Places(const Box3& place) { add(place); }  // NOLINT(google-explicit-constructor): one place is places
+  void add(const Box3& place);
+  void add(const Places& other) {
+    for (const Box3& place : other.boxes_) add(place);
+  }
+  void clear() { boxes_.clear(); }
+  bool empty() const { return boxes_.empty(); }
+  const std::vector<Box3>& boxes() const { return boxes_; }
+
+ private:
+  std::vector<Box3> boxes_;
+};
+
 /// What a planar polygon segment has beyond a point segment.
 struct PolygonPart {
   geometry::Chart chart;
@@ -37,7 +56,7 @@ struct PolygonPart {
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();  ///< normal of the published plane
   geometry::Plane initial;                            ///< thesis §2.4.1
   Box3 box;                                           ///< of the perimeter in the world
-  Box3 changed;             ///< where the description has changed since step 2 last saw it; empty: nowhere
+  Places changed;           ///< where the description has changed since step 2 last saw it
   bool stale = false;       ///< the fit has moved on, but its plane could not be published
   std::uint64_t shape = 0;  ///< counts changes of the description
   std::vector<std::pair<geometry::Slot, geometry::EdgeId>> fresh;  ///< edges not yet looked at for fissures
@@ -97,6 +116,10 @@ struct Engine {
   }
   Segment& at(std::uint32_t slot) { return *segments[slot]; }
   Segment* find(SegmentId);
+  /// The segment if it is still in the slot it was in.
+  Segment* find(SegmentId id, std::uint32_t slot) {
+    return segments[slot] && segments[slot]->id == id ? segments[slot].get() : nullptr;
+  }
   const Rules& rules() const { return parameters.rules; }
 };
 
@@ -110,6 +133,8 @@ inline bool faces_outside(const Eigen::Vector3d& normal, const Eigen::Vector3d& 
 double cosine(double x);
 
 // engine.cpp: segments and their bookkeeping
+/// Slots of segments near the places, in no order, none twice.
+void query(const Engine&, const Places&, std::vector<std::uint32_t>& found);
 Segment& create_point_segment(Engine&, const RawPoint&);
 void erase_segment(Engine&, Segment&);
 void mark_modified(Engine&, Segment&);
@@ -117,10 +142,12 @@ void update_index(Engine&, Segment&);
 void set_label(Engine&, const RawPoint&, SegmentId);
 void forward_label(Engine&, SegmentId from, SegmentId to);
 /// Notes that the description changed in `where` (world).
-void description_changed(Engine&, Segment&, const Box3& where);
+void description_changed(Engine&, Segment&, const Places& where);
 /// World boxes.
 Box3 box_around(const Eigen::Vector3d& p, double reach);
 Box3 perimeter_box(const PolygonPart&);
+/// Where those of the edges lie that are still there.
+Places places_of(const PolygonPart&, std::span<const std::pair<geometry::Slot, geometry::EdgeId>> edges);
 
 // insert.cpp: a sensor point finds its segment (thesis §2.3 step 2a for points)
 void insert_point(Engine&, const RawPoint&);
@@ -159,8 +186,14 @@ Standing standing(const Engine&, const Segment& polygon, const Eigen::Vector3d& 
 bool merge_point_into_polygon(Engine&, Segment& polygon, const RawPoint&, const Standing&);
 bool merge_segment_into_polygon(Engine&, Segment& polygon, Segment& point_segment, const Standing&);
 
+// meeting.cpp
+/// Does `other` come within the gap of `s`, or lie inside or around it, where s has changed? Never false when
+/// a merger could succeed there.
+bool may_meet_where_changed(const Engine&, const Segment& s, const Segment& other);
+
 // merge_polygons.cpp: §2.4.3
-bool merge_polygon_segments(Engine&, Segment&, Segment&);
+/// Tries to merge `other` with a segment that has changed.
+bool merge_polygon_segments(Engine&, Segment& changed, Segment& other);
 /// Step 2a for polygons; returns whether any merger succeeded.
 bool merge_modified_polygons(Engine&);
 

@@ -10,23 +10,11 @@
 namespace limpet::model::internal {
 namespace {
 
-/// Where edges that are still there begin.
-Box3 place_of(const PolygonPart& part,
-              const std::vector<std::pair<geometry::Slot, geometry::EdgeId>>& edges) {
-  Box3 where;
-  for (const auto& [slot, edge] : edges) {
-    if (!part.perimeter.alive(slot)) continue;
-    const geometry::Point2 v = part.perimeter.at(slot);
-    where.extend(part.chart.at(v, part.published(v)));
-  }
-  return where;
-}
-
 bool fill(Engine& e, Segment& s) {
   PolygonPart& part = *s.polygon;
   if (part.fresh.empty()) return false;
   const auto fresh = std::exchange(part.fresh, {});
-  const Box3 where = place_of(part, fresh);
+  const Places where = places_of(part, fresh);
   if (geometry::fill_fissures(part.perimeter, fresh, e.gap, e.edge_ids, e.rules().holes) == 0) return false;
   if (auto removed = part.perimeter.take_removed(); !removed.empty())
     e.changes.push_back({Change::Kind::edges_removed, {}, {}, s.id, std::move(removed)});

@@ -75,25 +75,13 @@ std::vector<geometry::EdgeId> lost_edges(
   return lost;
 }
 
-/// Has b an edge within the gap of a's perimeter, as boxes tell, or does it lie inside? Much cheaper than
-/// bringing b into a's chart, and seldom true of two polygons whose boxes are near.
-bool may_meet(const Engine& e, const PolygonPart& a, const PolygonPart& b) {
-  const auto in_a = [&](geometry::Slot s) {
-    const geometry::Point2 p = b.perimeter.at(s);
-    return a.chart.project(b.chart.at(p, b.published(p)));
-  };
-  bool first = true;
-  for (std::uint32_t i = 0; i < b.perimeter.slot_count(); ++i) {
-    const geometry::Slot s{i};
-    if (!b.perimeter.alive(s)) continue;
-    const geometry::Point2 p = in_a(s);
-    const geometry::Box2 box = geometry::box_of(p, in_a(b.perimeter.next(s))).grown(e.gap + 1);
-    if (a.perimeter.any_edge_near(box, [](geometry::Slot) { return true; })) return true;
-    if (first && a.perimeter.locate(geometry::round_to_grid(p)) != geometry::Polygon::Side::outside)
-      return true;
-    first = false;
-  }
-  return false;
+/// Where a merger changes what others see: at the new edges, and all over what was young before.
+Places places_of(const Segment& a, const Segment& b,
+                 const std::vector<std::pair<geometry::Slot, geometry::EdgeId>>& created) {
+  Places places = internal::places_of(*a.polygon, created);
+  for (const Segment* s : {&a, &b})
+    if (s->young()) places.add(s->polygon->box);
+  return places;
 }
 
 /// With the thesis's rules a merger that leaves a hole fails.
@@ -110,12 +98,11 @@ geometry::Merger merge_perimeters(Engine& e, geometry::Polygon& a, const geometr
 
 bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   if (!within(s1.polygon->box, s2.polygon->box, e.parameters.resolution) || !planes_agree(e, s1, s2) ||
-      remembered_as_refused(e, s1, s2))
+      remembered_as_refused(e, s1, s2) || !may_meet_where_changed(e, s1, s2))
     return false;
   const bool first_larger = s1.polygon->perimeter.edge_count() >= s2.polygon->perimeter.edge_count();
   Segment &a = first_larger ? s1 : s2, &b = first_larger ? s2 : s1;
   PolygonPart& part = *a.polygon;
-  if (!may_meet(e, part, *b.polygon)) return remember_refusal(e, a, b), false;
   auto other = in_chart_of(e, part.chart, *b.polygon);
   if (!other) return remember_refusal(e, a, b), false;
   other->take_created();
@@ -126,11 +113,12 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   const auto created = part.perimeter.take_created();
   part.fresh.insert(part.fresh.end(), created.begin(), created.end());
   std::vector<geometry::EdgeId> removed = part.perimeter.take_removed();
+  Places where = places_of(a, b, created);
+  for (const Box3& place : where.boxes()) part.box.extend(place);
   const auto lost = lost_edges(*other, created);
   removed.insert(removed.end(), lost.begin(), lost.end());
 
   const SegmentId old_a = a.id, old_b = b.id;
-  const Box3 where = b.polygon->box;
   const bool young = a.young() && b.young() && a.moments.count() + b.moments.count() <= kYoung;
   if (young)
     a.raw.insert(a.raw.end(), b.raw.begin(), b.raw.end());
@@ -138,7 +126,7 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
     a.raw = {};
   a.moments.add(b.moments);
   a.axis_sum += b.axis_sum;
-  part.changed.extend(b.polygon->changed);
+  where.add(b.polygon->changed);
   erase_segment(e, b);
 
   e.slot_of.erase(old_a.value);
@@ -151,7 +139,6 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   if (!removed.empty()) e.changes.push_back({Change::Kind::edges_removed, {}, {}, a.id, std::move(removed)});
   refit(e, a);
   part.initial = a.fit.plane();
-  part.box = perimeter_box(part);
   description_changed(e, a, where);
   update_index(e, a);
   return true;
@@ -161,13 +148,13 @@ bool merge_modified_polygons(Engine& e) {
   bool any = false;
   std::vector<std::pair<SegmentId, std::uint32_t>> turn;
   for (const std::uint32_t slot : e.modified)
-    if (e.segments[slot] && e.segments[slot]->polygon && !e.segments[slot]->polygon->changed.isEmpty())
+    if (e.segments[slot] && e.segments[slot]->polygon && !e.segments[slot]->polygon->changed.empty())
       turn.emplace_back(e.segments[slot]->id, slot);
   std::sort(turn.begin(), turn.end());
   for (const auto& [id, slot] : turn) {
-    Segment* s = e.find(id);
+    Segment* s = e.find(id, slot);
     if (!s) continue;  // merged away in this round; what it became is modified and has its turn next round
-    e.index.query(s->polygon->changed, e.found);
+    query(e, s->polygon->changed, e.found);
     std::vector<std::pair<SegmentId, std::uint32_t>> others;
     for (const std::uint32_t other : e.found)
       if (other != slot && e.at(other).polygon) others.emplace_back(e.at(other).id, other);
@@ -176,7 +163,7 @@ bool merge_modified_polygons(Engine& e) {
     const bool merged = std::any_of(others.begin(), others.end(), [&](const auto& other) {
       return merge_polygon_segments(e, *s, e.at(other.second));
     });
-    if (!merged) s->polygon->changed = Box3();
+    if (!merged) s->polygon->changed.clear();
     any |= merged;
   }
   return any;

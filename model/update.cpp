@@ -93,8 +93,7 @@ bool drop_all_chance_holes(Engine& e) {
 /// Marks what the last round left changed.
 void mark_changed(Engine& e) {
   for (const auto& s : e.segments)
-    if (s && s->polygon && !(s->polygon->changed.isEmpty() && s->polygon->fresh.empty()))
-      mark_modified(e, *s);
+    if (s && s->polygon && !(s->polygon->changed.empty() && s->polygon->fresh.empty())) mark_modified(e, *s);
 }
 
 void mark_all(Engine& e) {
@@ -102,7 +101,7 @@ void mark_all(Engine& e) {
     if (!s) continue;
     mark_modified(e, *s);
     if (!s->polygon) continue;
-    s->polygon->changed = s->polygon->box;
+    s->polygon->changed.add(s->polygon->box);
     s->polygon->fresh.clear();
     for (std::uint32_t i = 0; i < s->polygon->perimeter.slot_count(); ++i)
       if (const geometry::Slot slot{i}; s->polygon->perimeter.alive(slot))

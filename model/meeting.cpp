@@ -1,0 +1,57 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// A cheap look at two polygons, before one is brought into the other's chart to be merged. Most that have
+// neighbouring boxes do not meet, least of all where one of them has just changed.
+#include <limpet/geometry/predicates.hpp>
+#include <limpet/geometry/search.hpp>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+geometry::Point2 in_chart(const PolygonPart& to, const PolygonPart& from, geometry::Slot s) {
+  const geometry::Point2 p = from.perimeter.at(s);
+  return to.chart.project(from.chart.at(p, from.published(p)));
+}
+
+geometry::Slot some_vertex(const geometry::Polygon& polygon) {
+  std::uint32_t i = 0;
+  while (!polygon.alive(geometry::Slot{i})) ++i;
+  return geometry::Slot{i};
+}
+
+bool holds(const PolygonPart& a, geometry::Point2 p) {
+  return a.perimeter.locate(geometry::round_to_grid(p)) != geometry::Polygon::Side::outside;
+}
+
+/// The box of a world box in the chart.
+geometry::Box2 seen_in(const geometry::Chart& chart, const Box3& box) {
+  geometry::Box2 result;
+  for (int corner = 0; corner < 8; ++corner)
+    result.add(chart.project(box.corner(static_cast<Box3::CornerType>(corner))));
+  return result;
+}
+
+/// Has a, in this box, an edge within the gap of b or in it?
+bool edge_meets(const Engine& e, const PolygonPart& a, const geometry::Box2& box, const PolygonPart& b) {
+  return a.perimeter.any_edge_near(box, [&](geometry::Slot s) {
+    const geometry::Point2 p = in_chart(b, a, s), q = in_chart(b, a, a.perimeter.next(s));
+    return geometry::any_edge_within(b.perimeter, p, q, e.gap + 2) || holds(b, p);
+  });
+}
+
+}  // namespace
+
+bool may_meet_where_changed(const Engine& e, const Segment& s, const Segment& other) {
+  const PolygonPart &a = *s.polygon, &b = *other.polygon;
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(e.parameters.resolution);
+  const Box3 around(b.box.min() - reach, b.box.max() + reach);
+  const bool near = std::any_of(a.changed.boxes().begin(), a.changed.boxes().end(), [&](const Box3& place) {
+    const Box3 both = place.intersection(around);
+    return !both.isEmpty() && edge_meets(e, a, seen_in(a.chart, both).grown(2), b);
+  });
+  return near || holds(a, in_chart(a, b, some_vertex(b.perimeter)));
+}
+
+}  // namespace limpet::model::internal
