@@ -16,7 +16,8 @@ bool within(const Box3& a, const Box3& b, double reach) {
   return a.squaredExteriorDistance(b) < reach * reach;
 }
 
-/// May the two be one plane? The smaller one's points are judged about the larger one's plane.
+/// May the two be one plane, with a's published one until it is published anew? The smaller one's points are
+/// judged about the larger one's plane.
 bool planes_agree(const Engine& e, const Segment& a, const Segment& b) {
   const Segment& small = a.moments.count() < b.moments.count() ? a : b;
   const Segment& large = &small == &a ? b : a;
@@ -27,9 +28,7 @@ bool planes_agree(const Engine& e, const Segment& a, const Segment& b) {
   }
   const double cos_limit = limit_rad == e.parameters.angle_rad ? e.cos_angle : cosine(limit_rad);
   if (a.fit.normal.dot(b.fit.normal) <= cos_limit) return false;
-  const Eigen::Vector3d axis_sum = a.axis_sum + b.axis_sum;
-  if (!faces_outside(a.polygon->outward, axis_sum) || !faces_outside(b.polygon->outward, axis_sum))
-    return false;
+  if (!faces_outside(a.polygon->outward, a.axis_sum + b.axis_sum)) return false;
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   if (e.rules().residual) {
     const double residual2 = small.moments.squared_residual(large.fit.plane(), e.step);
@@ -40,8 +39,7 @@ bool planes_agree(const Engine& e, const Segment& a, const Segment& b) {
   }
   Moments merged = a.moments;
   merged.add(b.moments);
-  return variance_allowed(e, *a.polygon, merged) && variance_allowed(e, *b.polygon, merged) &&
-         fit_to(merged, e.step, -large.fit.normal).u3 < lambda2;
+  return variance_allowed(e, *a.polygon, merged) && fit_to(merged, e.step, -large.fit.normal).u3 < lambda2;
 }
 
 bool remembered_as_refused(const Engine& e, const Segment& a, const Segment& b) {
@@ -97,11 +95,11 @@ geometry::Merger merge_perimeters(Engine& e, geometry::Polygon& a, const geometr
 }  // namespace
 
 bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
-  if (!within(s1.polygon->box, s2.polygon->box, e.parameters.resolution) || !planes_agree(e, s1, s2) ||
-      remembered_as_refused(e, s1, s2) || !may_meet_where_changed(e, s1, s2))
-    return false;
   const bool first_larger = s1.polygon->perimeter.edge_count() >= s2.polygon->perimeter.edge_count();
   Segment &a = first_larger ? s1 : s2, &b = first_larger ? s2 : s1;
+  if (!within(a.polygon->box, b.polygon->box, e.parameters.resolution) || !planes_agree(e, a, b) ||
+      remembered_as_refused(e, a, b) || !may_meet_where_changed(e, s1, s2))
+    return false;
   PolygonPart& part = *a.polygon;
   auto other = in_chart_of(e, part.chart, *b.polygon);
   if (!other) return remember_refusal(e, a, b), false;

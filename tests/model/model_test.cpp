@@ -38,6 +38,24 @@ TEST(Model, OnePlaneIsOnePolygon) {
   EXPECT_EQ(broken_laws(record), "");
 }
 
+/// The few points of a fragment know its plane badly, so badly that far away it is off by more than λ. It
+/// belongs to the large polygon beside it all the same.
+TEST(Model, AFragmentJoinsAPolygonManyTimesItsSize) {
+  constexpr double kNoise = 1. / 64;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Random random(seed);
+    Parameters parameters = of_resolution(1);
+    parameters.noise = kNoise;
+    Model model(parameters);
+    feed(model, plate(random, 15, 0, 0, 1, 1, kNoise));
+    feed(model, plate(random, 20000, 2.5, 0, 600, 3, kNoise));
+    feed(model, plate(random, 20, 1, 0, 2.6, 1, kNoise));
+    model.finish();
+    EXPECT_EQ(model.record().polygon_segments.size(), 1u) << "seed " << seed;
+    EXPECT_EQ(broken_laws(model.record()), "") << "seed " << seed;
+  }
+}
+
 /// Six polygons, one for each direction of the axes, each in its plane.
 void expect_cube(const Scan& scan, double angle, double distance) {
   const Model model = modelled(scan.parameters, scan.points);
