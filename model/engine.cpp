@@ -23,6 +23,17 @@ double cosine(double x) {
   return sum;
 }
 
+double natural_log(double x) {
+  constexpr double kE = 2.718281828459045;
+  double whole = 0;
+  for (; x > kE; ++whole) x /= kE;
+  for (; x < 1; --whole) x *= kE;
+  const double q = (x - 1) / (x + 1);
+  double power = q, sum = 0;
+  for (int k = 1; k < 60; k += 2, power *= q * q) sum += power / k;
+  return whole + 2 * sum;
+}
+
 Engine::Engine(const Parameters& p) : parameters(p) {
   const auto finite = [](double x) { return std::isfinite(x); };
   require(finite(p.resolution) && p.resolution > 0, "the linear resolution must be a length greater than 0");

@@ -131,6 +131,8 @@ inline bool faces_outside(const Eigen::Vector3d& normal, const Eigen::Vector3d& 
 
 /// Cosine by its series: the same bits everywhere. Precondition: |x| ≤ 2.
 double cosine(double x);
+/// Likewise the logarithm to base e. Precondition: x > 0.
+double natural_log(double x);
 
 // engine.cpp: segments and their bookkeeping
 /// Slots of segments near the places, in no order, none twice.

@@ -2,6 +2,8 @@
 //
 // Holes that are only places where by chance no sensor point fell. At five points per λ² an empty disc wider
 // than λ is no rarity, and a perimeter grows around it.
+#include <algorithm>
+
 #include <limpet/geometry/measure.hpp>
 
 #include "engine_internal.hpp"
@@ -9,13 +11,22 @@
 namespace limpet::model::internal {
 namespace {
 
-/// With n points expected in it, a hole is empty by chance with probability exp(−n), and there are at most m
-/// places for one among m points. The smallest n for which m·exp(−n/2) ≤ 10⁻³; the half allows for a scan
-/// half as dense there as on average.
-double significant_count(std::int64_t m) {
-  double expected = 1000.0 * static_cast<double>(m), n = 0;
-  for (; expected > 1; n += 2) expected /= 2.718281828459045;
-  return n;
+/// Area of the polygon as if it had no holes narrower than those that chance may leave: all that its points
+/// are spread over.
+double area_with(const geometry::Polygon& perimeter, const std::vector<geometry::CycleId>& holes) {
+  double area = geometry::area(perimeter);
+  for (const geometry::CycleId id : holes) area -= geometry::signed_area(perimeter, perimeter.cycle(id));
+  return area;
+}
+
+/// Would chance alone leave a hole of this area between k of m points, where `density` of them are expected?
+/// It is empty with probability exp(−n). It could lie at any point, and its perimeter go from each point to
+/// any of those within the gap ahead, about as many as there are to a square of the gap: m·(density·gap²)ᵏ
+/// shapes. By chance, then, when the product of both is above 10⁻³.
+bool by_chance(double area, std::size_t k, std::int64_t m, double density, double gap) {
+  const double choices = std::max(density * gap * gap, 2.0);
+  return density * area <
+         natural_log(1000.0 * static_cast<double>(m)) + static_cast<double>(k) * natural_log(choices);
 }
 
 bool any_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle& cycle) {
@@ -28,15 +39,24 @@ bool any_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle
 bool drop_chance_holes(Engine& e, Segment& s) {
   geometry::Polygon& perimeter = s.polygon->perimeter;
   if (perimeter.hole_count() == 0 || s.moments.count() == 0) return false;
-  const double density = static_cast<double>(s.moments.count()) / geometry::area(perimeter);
-  const double needed = significant_count(s.moments.count());
-  geometry::Edit edit;
+  std::vector<geometry::CycleId> small;
   for (std::uint32_t i = 0; i < perimeter.cycles().size(); ++i) {
     const auto& cycle = perimeter.cycles()[i];
-    if (cycle.size == 0 || !cycle.hole || any_shared(perimeter, cycle)) continue;
-    if (-density * geometry::signed_area(perimeter, cycle) < needed)
-      edit.removed_cycles.push_back(geometry::CycleId{i});
+    if (cycle.size > 0 && cycle.hole && !any_shared(perimeter, cycle)) small.push_back(geometry::CycleId{i});
   }
+  const auto m = s.moments.count();
+  geometry::Edit edit;
+  // The density is that of the area without the holes that matter, which are not known before: as they go, it
+  // rises, and others turn out not to be chance.
+  for (std::size_t before = small.size() + 1; small.size() < before;) {
+    before = small.size();
+    const double density = static_cast<double>(m) / area_with(perimeter, small);
+    std::erase_if(small, [&](geometry::CycleId id) {
+      const auto& cycle = perimeter.cycle(id);
+      return !by_chance(-geometry::signed_area(perimeter, cycle), cycle.size, m, density, e.gap);
+    });
+  }
+  edit.removed_cycles = small;
   if (edit.removed_cycles.empty() || perimeter.judge(edit) != geometry::Verdict::valid) return false;
   perimeter.commit(edit, e.edge_ids);
   e.changes.push_back({Change::Kind::edges_removed, {}, {}, s.id, perimeter.take_removed()});
