@@ -125,6 +125,9 @@ void finish(Engine& e) {
   if (!e.rules().finish) return;
   for (const auto& s : e.segments)
     if (s && s->polygon) refit(e, *s);
+  for (const auto& s : e.segments)  // the model has grown since: all points may try again
+    if (s)
+      for (RawPoint& raw : s->raw) raw.returned = 0;
   release_all_point_segments(e);
   mark_all(e);
   e.refused_pairs.clear();

@@ -21,10 +21,10 @@ double area_with(const geometry::Polygon& perimeter, const std::vector<geometry:
 
 /// Would chance alone leave a hole of this area between k of m points, where `density` of them are expected?
 /// It is empty with probability exp(−n). It could lie at any point, and its perimeter go from each point to
-/// any of those within the gap ahead, about as many as there are to a square of the gap: m·(density·gap²)ᵏ
-/// shapes. By chance, then, when the product of both is above 10⁻³.
+/// any of those within the gap ahead, c in half a disc: m·cᵏ shapes.
+/// By chance, then, when the product of both is above 10⁻³.
 bool by_chance(double area, std::size_t k, std::int64_t m, double density, double gap) {
-  const double choices = std::max(density * gap * gap, 2.0);
+  const double choices = std::max(1.5707963 * density * gap * gap, 2.0);
   return density * area <
          natural_log(1000.0 * static_cast<double>(m)) + static_cast<double>(k) * natural_log(choices);
 }
