@@ -6,8 +6,9 @@
 //                    --outliers 0,0.01 --seeds 10 [--rules limpet] [--csv FILE] [--audit-every N] [--keep
 //                    DIR]
 //
-// λ = max(feature/20, 2.2·√(area/points)); a case counts when λ ≤ feature/5 and noise ≤ λ/10. One line a run
-// in the CSV, one line a case on standard output.
+// Orders: raster (each viewpoint's rays row by row), shuffled (the same readings in random order) and sampled
+// (evenly over the surface, in random order). λ = max(feature/20, 2.2·√(area/points)); a case counts when λ ≤
+// feature/5 and noise ≤ λ/10. One line a run in the CSV, one line a case on standard output.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -23,6 +24,8 @@
 #include <limpet/io/native.hpp>
 #include <limpet/model/model.hpp>
 #include <limpet/simulation/judgement.hpp>
+#include <limpet/simulation/nearest.hpp>
+#include <limpet/simulation/planar_face.hpp>
 #include <limpet/simulation/scan.hpp>
 #include <limpet/simulation/scene.hpp>
 #include <limpet/simulation/shapes.hpp>
@@ -46,8 +49,9 @@ struct Case {
   std::string shape, order;
   std::int64_t points;
   double noise_ratio, outliers;
-  double noise, resolution, feature, area;
-  std::string skipped;  ///< why, or empty
+  simulation::Scene scene{};
+  double noise = 0, resolution = 0, min_width = 0;
+  std::string skipped{};  ///< why, or empty
 };
 
 struct Run {
@@ -55,7 +59,9 @@ struct Run {
   int counted = 0, represented = 0, extra = 0, wrong_holes = 0;
   double worst_angle_deg = 0, overshoot = 0, shortfall = 0;  ///< in λ, the two last
   int bad_angles = 0;
-  double loose = 0, outliers_kept_out = 1, seconds = 0;
+  double loose = 0, seconds = 0;
+  double outliers_kept_out = 1;      ///< of all
+  double far_outliers_kept_out = 1;  ///< of those more than 3σ from the surface: no readings of it
   std::size_t points = 0, violations = 0, polygons = 0;
   std::string faults;
 };
@@ -76,23 +82,41 @@ double size_of(const simulation::Mesh& mesh, const std::string& shape, double fe
   return (bounds.high - bounds.low).maxCoeff();
 }
 
-Case make_case(const Arguments& args, const simulation::Scene& scene, const std::string& shape,
-               std::int64_t points, double noise_ratio, const std::string& order, double outliers) {
-  Case c{shape, order, points, noise_ratio, outliers, 0, 0, scene.feature, 0, {}};
-  for (const auto& face : simulation::faces_of(scene.mesh)) c.area += face.area;
-  c.noise = noise_ratio * size_of(scene.mesh, shape, scene.feature);
+simulation::NearestSurface nearest_to(const simulation::Mesh& mesh) {
+  std::vector<simulation::Triangle3> triangles;
+  for (const auto& face : simulation::planar_faces(mesh))
+    for (const auto& triangle : simulation::triangulated(face)) triangles.push_back(triangle);
+  return simulation::NearestSurface(triangles);
+}
+
+/// `name` is a shape; a thin plate without its thickness is one whose two sides are λ/2 apart.
+Case make_case(const Arguments& args, const std::string& name, std::int64_t points, double noise_ratio,
+               const std::string& order, double outliers) {
+  const bool thin = name == "thin_plate";
+  Case c{thin ? "thin_plate:0.01" : name, order, points, noise_ratio, outliers};
+  c.scene = simulation::make_scene(c.shape);
+  if (thin) c.scene.feature = 1;
+  double area = 0;
+  for (const auto& face : simulation::faces_of(c.scene.mesh)) area += face.area;
+  c.noise = noise_ratio * size_of(c.scene.mesh, name, c.scene.feature);
   c.resolution = args.resolution > 0
                      ? args.resolution
-                     : std::max(c.feature / 20, 2.2 * std::sqrt(c.area / static_cast<double>(points)));
+                     : std::max(c.scene.feature / 20, 2.2 * std::sqrt(area / static_cast<double>(points)));
+  if (thin) {
+    c.shape = "thin_plate:" + std::to_string(c.resolution / 2);
+    c.scene.mesh = simulation::make_scene(c.shape).mesh;
+    c.min_width = c.resolution;
+  }
   if (args.resolution > 0) return c;
-  if (c.resolution > c.feature / 5)
+  if (c.resolution > c.scene.feature / 5)
     c.skipped = "resolution above feature/5";
   else if (c.noise > c.resolution / 10)
     c.skipped = "noise above resolution/10";
   return c;
 }
 
-Run run(const Arguments& args, const simulation::Scene& scene, const Case& c, int seed) {
+Run run(const Arguments& args, const Case& c, int seed) {
+  const simulation::Scene& scene = c.scene;
   simulation::ScanOptions options;
   options.points = c.points;
   options.order = c.order == "raster"    ? simulation::ScanOptions::Order::raster
@@ -136,7 +160,8 @@ Run run(const Arguments& args, const simulation::Scene& scene, const Case& c, in
   for (auto& f : faces)
     for (auto& cycle : f.cycles)
       for (auto& v : cycle) v = (v - shift) / args.scale;
-  const auto report = simulation::judge_faces(faces, scene.mesh, labelled, {c.resolution, c.noise});
+  const auto report = simulation::judge_faces(
+      faces, scene.mesh, labelled, {.resolution = c.resolution, .noise = c.noise, .min_width = c.min_width});
   r.points = points.size();
   r.polygons = faces.size();
   r.counted = report.counted;
@@ -157,16 +182,20 @@ Run run(const Arguments& args, const simulation::Scene& scene, const Case& c, in
   const auto labels = model.labels();
   std::map<std::uint64_t, bool> is_polygon;
   for (const auto& p : record.polygon_segments) is_polygon[p.id] = true;
-  std::int64_t on_faces = 0, loose = 0, outliers = 0, kept_out = 0;
+  const simulation::NearestSurface surface = nearest_to(scene.mesh);
+  std::int64_t on_faces = 0, loose = 0, outliers = 0, kept_out = 0, far = 0, far_kept_out = 0;
   for (std::size_t i = 0; i < labelled.size(); ++i) {
     const bool in_polygon = is_polygon.count(labels[i].value) > 0;
-    if (labelled[i].face < 0)
+    if (labelled[i].face < 0) {
+      const bool is_far = surface.distance(labelled[i].point.position) > 3 * c.noise;
       ++outliers, kept_out += !in_polygon;
-    else if (report.faces[static_cast<std::size_t>(labelled[i].face)].counts)
+      far += is_far, far_kept_out += is_far && !in_polygon;
+    } else if (report.faces[static_cast<std::size_t>(labelled[i].face)].counts)
       ++on_faces, loose += !in_polygon;
   }
   r.loose = on_faces ? static_cast<double>(loose) / static_cast<double>(on_faces) : 0;
   r.outliers_kept_out = outliers ? static_cast<double>(kept_out) / static_cast<double>(outliers) : 1;
+  r.far_outliers_kept_out = far ? static_cast<double>(far_kept_out) / static_cast<double>(far) : 1;
   if (!r.right)
     for (const auto& fault : simulation::faults(report, faces)) r.faults += fault + "; ";
   return r;
@@ -190,14 +219,17 @@ void report_case(const Case& c, const std::vector<Run>& runs) {
     worst.shortfall = std::max(worst.shortfall, r.shortfall);
     worst.loose = std::max(worst.loose, r.loose);
     worst.outliers_kept_out = std::min(worst.outliers_kept_out, r.outliers_kept_out);
+    worst.far_outliers_kept_out = std::min(worst.far_outliers_kept_out, r.far_outliers_kept_out);
     worst.violations += r.violations;
   }
   std::printf(
       "%-10s %8ld noise %.3f %-8s outliers %.2f  right %d/%zu  faces %d/%d extra %d  angle %.2f° (bad %d)  "
-      "outside %.2fλ inside %.2fλ  loose %.2f%%  kept out %.1f%%  violations %zu  %.2f µs/point\n",
+      "outside %.2fλ inside %.2fλ  loose %.2f%%  kept out %.1f%% (of far ones %.1f%%)  violations %zu  %.2f "
+      "µs/point\n",
       c.shape.c_str(), c.points, c.noise_ratio, c.order.c_str(), c.outliers, right, runs.size(), represented,
       counted, extra, worst.worst_angle_deg, bad_angles, worst.overshoot, worst.shortfall, 100 * worst.loose,
-      100 * worst.outliers_kept_out, worst.violations, 1e6 * seconds / points);
+      100 * worst.outliers_kept_out, 100 * worst.far_outliers_kept_out, worst.violations,
+      1e6 * seconds / points);
   std::fflush(stdout);
 }
 
@@ -228,28 +260,28 @@ int main(int argc, char** argv) {
     csv.open(args.csv);
     csv << "shape,points,noise,order,outliers,seed,right,counted,represented,extra,wrong_holes,angle_deg,bad_"
            "angles,"
-           "overshoot,shortfall,loose,kept_out,violations,seconds,faults\n";
+           "overshoot,shortfall,loose,kept_out,far_kept_out,violations,seconds,faults\n";
   }
   int all = 0, right = 0;
   for (const auto& shape : args.shapes) {
-    const auto scene = simulation::make_scene(shape);
     for (const auto points : args.points)
       for (const double noise : args.noise)
         for (const auto& order : args.orders)
           for (const double outliers : args.outliers) {
-            const Case c = make_case(args, scene, shape, points, noise, order, outliers);
+            const Case c = make_case(args, shape, points, noise, order, outliers);
             std::vector<Run> runs;
             for (int seed = args.first_seed; c.skipped.empty() && seed < args.first_seed + args.seeds;
                  ++seed) {
-              runs.push_back(run(args, scene, c, seed));
+              runs.push_back(run(args, c, seed));
               const Run& r = runs.back();
               ++all, right += r.right;
               if (!r.right || r.violations) std::printf("  seed %d: %s\n", seed, r.faults.c_str());
               csv << shape << ',' << points << ',' << noise << ',' << order << ',' << outliers << ',' << seed
                   << ',' << r.right << ',' << r.counted << ',' << r.represented << ',' << r.extra << ','
                   << r.wrong_holes << ',' << r.worst_angle_deg << ',' << r.bad_angles << ',' << r.overshoot
-                  << ',' << r.shortfall << ',' << r.loose << ',' << r.outliers_kept_out << ',' << r.violations
-                  << ',' << r.seconds << ",\"" << r.faults << "\"\n";
+                  << ',' << r.shortfall << ',' << r.loose << ',' << r.outliers_kept_out << ','
+                  << r.far_outliers_kept_out << ',' << r.violations << ',' << r.seconds << ",\"" << r.faults
+                  << "\"\n";
             }
             report_case(c, runs);
           }

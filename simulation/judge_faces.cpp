@@ -97,6 +97,14 @@ void sum_up(FacesReport& report) {
   }
 }
 
+double width(const Region& region) {
+  double diameter2 = 0;
+  for (const Eigen::Vector3d& p : region.face.cycles.front())
+    for (const Eigen::Vector3d& q : region.face.cycles.front())
+      diameter2 = std::max(diameter2, (p - q).squaredNorm());
+  return region.area / std::sqrt(diameter2);
+}
+
 }  // namespace
 
 FacesReport judge_faces(const std::vector<PlanarFace>& model, const Mesh& truth,
@@ -113,7 +121,8 @@ FacesReport judge_faces(const std::vector<PlanarFace>& model, const Mesh& truth,
     face.points = static_cast<std::int64_t>(points_of[f].size());
     face.density =
         static_cast<double>(face.points) * options.resolution * options.resolution / true_regions[f].area;
-    face.counts = face.points >= options.min_points && face.density >= options.min_density;
+    face.counts = face.points >= options.min_points && face.density >= options.min_density &&
+                  width(true_regions[f]) >= options.min_width;
     face.true_holes = holes(true_regions[f].face);
   }
 

@@ -48,6 +48,7 @@ struct JudgeOptions {
   double max_angle_rad = 0.3490658503988659;  ///< 20°: a polygon that turns more from a face is not of it
   std::int64_t min_points = 50;               ///< a face with fewer points does not count
   double min_density = 4;                     ///< nor does one with fewer points per λ² of its area
+  double min_width = 0;                       ///< nor a narrower one (area / largest distance in it)
 };
 
 /// What became of a true face.
