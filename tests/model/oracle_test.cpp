@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // The promise: after every set, whatever the input, the oracle finds nothing.
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include "ledger.hpp"
@@ -11,7 +13,11 @@ namespace {
 
 using namespace testing;
 
-constexpr std::uint64_t kStreams = 200;
+/// How many streams each test reads: LIMPET_STREAMS, else 200.
+const std::uint64_t kStreams = [] {
+  const char* wanted = std::getenv("LIMPET_STREAMS");
+  return wanted ? std::strtoull(wanted, nullptr, 10) : 200;
+}();
 
 TEST(Oracle, FindsNothingAfterAnySetOfAnyStream) {
   for (std::uint64_t seed = 1; seed <= kStreams; ++seed) {
