@@ -1,35 +1,11 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Judging and committing a candidate change of a polygon's boundary.
-//
-// Why the local judgement suffices. Let the polygon be valid, and let (1) no new edge meet an edge that
-// stays, or another new edge, but in a common vertex, and (2) no vertex that stays lie in the swept region
-// (the even-odd region of removed and new edges). Then the new cycles are simple and disjoint, and around
-// every vertex that stays the inside is where it was, so each cycle that keeps a vertex besides the ends of
-// its chains keeps the inside on its left. Of cycles that keep none it is asked explicitly, in O(n). With the
-// inside on the left of all cycles, and one of them anticlockwise, each of the others is a hole in that one.
-#include <limpet/geometry/judge.hpp>
-#include <limpet/geometry/polygon.hpp>
+// Working out what a change of a polygon's boundary takes away and puts in place, and making it.
 #include <limpet/geometry/predicates.hpp>
 
+#include "edit_internal.hpp"
+
 namespace limpet::geometry {
-
-struct Polygon::Difference {
-  std::vector<Slot> removed_edges;  ///< these bear the polygon's stamp
-  std::vector<Slot> removed_vertices;
-  std::vector<KeyedEdge> new_edges;
-  std::vector<Segment2> sweep;
-  std::vector<Slot> starts, ends;  ///< of the chains, sorted
-  Box2 box;
-  bool broken = false;  ///< the chains and removed cycles get into each other's way
-
-  void add_edge(Point2 a, Point2 b, std::uint64_t key_a, std::uint64_t key_b) {
-    new_edges.push_back({a, b, key_a, key_b});
-    sweep.emplace_back(a, b);
-  }
-  bool starts_at(Slot s) const { return std::binary_search(starts.begin(), starts.end(), s); }
-  bool ends_at(Slot s) const { return std::binary_search(ends.begin(), ends.end(), s); }
-};
 
 Polygon::Difference Polygon::difference(const Edit& edit) const {
   Difference d;
@@ -78,105 +54,39 @@ Polygon::Difference Polygon::difference(const Edit& edit) const {
     key += loop.size();
   }
   for (const auto& [p, q] : d.sweep) d.box.add(p), d.box.add(q);
+  d.runs = runs_of(edit);
   return d;
 }
 
-Verdict Polygon::judge_new_edges(const Difference& d) const {
-  if (const Verdict v = judge_edges(d.new_edges); v != Verdict::valid) return v;
-  for (const KeyedEdge& e : d.new_edges) {
-    const bool conflict = any_edge_near(box_of(e.a, e.b), [&](Slot s) {
-      if (node(s).mark == stamp_) return false;
-      return in_conflict(e,
-                         {at(s), end(s), static_cast<std::uint64_t>(s), static_cast<std::uint64_t>(next(s))});
+/// Walks all runs step by step together, until all but the longest one have come to their ends: that one then
+/// leads to the chain that none of the others leads to. Precondition: the edges that go are stamped.
+std::vector<Polygon::Run> Polygon::runs_of(const Edit& edit) const {
+  constexpr std::size_t kWitness = 4;  // so far at least, to know of a vertex that stays
+  const std::size_t n = edit.chains.size();
+  std::vector<Run> runs(n);
+  std::vector<std::pair<Slot, std::size_t>> starts;
+  for (std::size_t i = 0; i < n; ++i) starts.emplace_back(edit.chains[i].from, i);
+  std::sort(starts.begin(), starts.end());
+  std::vector<char> led_to(n);
+  std::vector<std::size_t> open(n);
+  for (std::size_t i = 0; i < n; ++i) open[i] = i;
+  while (open.size() > 1 || (open.size() == 1 && runs[open[0]].kept.size() < kWitness)) {
+    std::erase_if(open, [&](std::size_t i) {
+      Run& run = runs[i];
+      const Slot s = run.kept.empty() ? edit.chains[i].to : next(run.kept.back());
+      run.kept.push_back(s);
+      if (node(s).mark != stamp_) return false;
+      const auto start = std::lower_bound(starts.begin(), starts.end(), std::pair(s, std::size_t{0}));
+      run.next_chain = start->second;
+      run.walked = true;
+      led_to[run.next_chain] = 1;
+      return true;
     });
-    if (conflict) return Verdict::crossing;
   }
-  return Verdict::valid;
-}
-
-Verdict Polygon::judge_swept(const Difference& d) const {
-  const bool swept = any_edge_near(d.box, [&](Slot s) {
-    // A vertex stays when its own edge does, or when it begins a removed stretch (then it is on a chain).
-    if (node(s).mark == stamp_ || !d.box.contains(at(s)) || d.ends_at(s)) return false;
-    return inside_even_odd(d.sweep, at(s));
-  });
-  return swept ? Verdict::swept_vertex : Verdict::valid;
-}
-
-Verdict Polygon::judge_orientation(const Edit& edit, const Difference& d) const {
-  if (edit.chains.size() == 1 && edit.loops.empty() && edit.removed_cycles.empty()) {
-    const Chain& chain = edit.chains.front();
-    const std::size_t kept = cycle(node(chain.from).cycle).size - d.removed_vertices.size();
-    if (chain.from != chain.to && kept >= 3) return Verdict::valid;
-  }
-  std::size_t outer = 0;
-  std::vector<char> affected(cycles_.size());
-  for (const CycleId id : edit.removed_cycles) affected[static_cast<std::uint32_t>(id)] = 1;
-  for (const Chain& c : edit.chains) affected[static_cast<std::uint32_t>(node(c.from).cycle)] = 1;
-  for (std::size_t i = 0; i < cycles_.size(); ++i)
-    outer += !affected[i] && cycles_[i].size > 0 && !cycles_[i].hole;
-
-  std::vector<Point2> points;
-  const auto judge_cycle = [&](bool witnessed) {
-    if (points.size() < 3) return Verdict::too_few_vertices;
-    const int sign = chain_orientation(points);
-    outer += sign > 0;
-    const bool right = sign != 0 && (witnessed || inside_others(points, d) == (sign < 0));
-    return right ? Verdict::valid : Verdict::orientation;
-  };
-  std::vector<char> seen(edit.chains.size());
-  for (std::size_t first = 0; first < edit.chains.size(); ++first) {
-    if (seen[first]) continue;
-    points.clear();
-    bool witnessed = false;
-    for (std::size_t c = first; !seen[c];) {
-      seen[c] = 1;
-      for (const NewVertex& v : edit.chains[c].via) points.push_back(v.at);
-      // Along what stays, from this chain's end to the start of the next one.
-      Slot s = edit.chains[c].to;
-      std::size_t kept = 1;
-      for (; node(s).mark != stamp_; s = next(s), ++kept) points.push_back(at(s));
-      points.push_back(at(s));
-      witnessed |= kept > 2;
-      c = static_cast<std::size_t>(
-          std::find_if(edit.chains.begin(), edit.chains.end(), [s](const Chain& k) { return k.from == s; }) -
-          edit.chains.begin());
-    }
-    if (const Verdict v = judge_cycle(witnessed); v != Verdict::valid) return v;
-  }
-  for (const auto& loop : edit.loops) {
-    points.clear();
-    for (const NewVertex& v : loop) points.push_back(v.at);
-    if (const Verdict v = judge_cycle(false); v != Verdict::valid) return v;
-  }
-  return outer == 1 ? Verdict::valid : Verdict::orientation;
-}
-
-bool Polygon::inside_others(const std::vector<Point2>& cycle, const Difference& d) const {
-  std::vector<Segment2> edges;
-  // The new boundary is the old one exclusive-or the sweep, so a vertex off the old one is placed by
-  // locate().
-  for (const Point2 p : cycle) {
-    const Side side = locate(p);
-    if (side == Side::boundary) continue;
-    edges = d.sweep;
-    for (std::size_t i = 0; i < cycle.size(); ++i)
-      edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
-    return (side == Side::inside) != inside_even_odd(edges, p);
-  }
-  for (const Node& n : nodes_)
-    if (n.edge && n.mark != stamp_) edges.emplace_back(n.at, at(n.next));
-  for (const KeyedEdge& e : d.new_edges) edges.emplace_back(e.a, e.b);
-  for (std::size_t i = 0; i < cycle.size(); ++i) edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
-  return inside_even_odd(edges, cycle.front());  // the cycle's own edges are there twice
-}
-
-Verdict Polygon::judge(const Edit& edit) const {
-  const Difference d = difference(edit);
-  if (d.broken) return Verdict::orientation;
-  if (const Verdict v = judge_new_edges(d); v != Verdict::valid) return v;
-  if (const Verdict v = judge_swept(d); v != Verdict::valid) return v;
-  return judge_orientation(edit, d);
+  for (const std::size_t i : open)
+    runs[i].next_chain =
+        static_cast<std::size_t>(std::find(led_to.begin(), led_to.end(), 0) - led_to.begin());
+  return runs;
 }
 
 void Polygon::commit(const Edit& edit, EdgeIds& ids) {
@@ -239,26 +149,73 @@ void Polygon::commit(const Edit& edit, EdgeIds& ids) {
       ref(last).next = first, ref(first).prev = last;
       loop_starts.push_back(first);
     }
-    for (const CycleId id : freed) cycles_[static_cast<std::uint32_t>(id)] = {};
-    for (const Chain& c : edit.chains) loop_starts.push_back(c.from);
-    ++stamp_;
-    for (const Slot first : loop_starts) {
-      if (node(first).mark == stamp_) continue;
-      std::vector<Point2> points;
-      Slot s = first;
-      do {
-        node(s).mark = stamp_;
-        points.push_back(at(s));
-        s = next(s);
-      } while (s != first);
-      relabel(first, add_cycle(), chain_orientation(points) < 0);
-    }
+    label_cycles(edit, d, freed, loop_starts);
   }
   ++version_;
   if (!index_.fits(box_, edge_count_)) return rebuild_index();
   if (!index_.active()) return;
   for (const Slot s : touched) index_.add(static_cast<std::uint32_t>(s), at(s), end(s));
   index_.flip(d.sweep);
+}
+
+/// Sorts the vertices into cycles again. The cycle with the run that was not walked, if there is one, keeps
+/// its identity and the labels on that run.
+void Polygon::label_cycles(const Edit& edit, const Difference& d, std::vector<CycleId> freed,
+                           std::span<const Slot> loop_starts) {
+  std::sort(freed.begin(), freed.end());
+  freed.erase(std::unique(freed.begin(), freed.end()), freed.end());
+  std::size_t vertices = 0;  // of all cycles that are new
+  for (const CycleId id : freed) vertices += cycle(id).size;
+  vertices -= d.removed_vertices.size();
+  for (const Chain& c : edit.chains) vertices += c.via.size();
+  for (const auto& loop : edit.loops) vertices += loop.size();
+
+  const auto open = std::find_if(d.runs.begin(), d.runs.end(), [](const Run& r) { return !r.walked; });
+  const bool walked = open == d.runs.end();
+  const CycleId kept = walked ? CycleId{} : node(open->kept.front()).cycle;
+  std::vector<char> on_kept(edit.chains.size());
+  if (!walked) {
+    const auto first = static_cast<std::size_t>(open - d.runs.begin());
+    std::size_t c = first;
+    do on_kept[c] = 1, c = d.runs[c].next_chain;
+    while (c != first);
+  }
+  for (const CycleId id : freed)
+    if (walked || id != kept) cycles_[static_cast<std::uint32_t>(id)] = {};
+
+  std::vector<CycleId> made;
+  ++stamp_;
+  const auto label = [&](Slot first) {
+    if (node(first).mark == stamp_) return;
+    std::vector<Point2> points;
+    Slot s = first;
+    do {
+      nodes_[static_cast<std::uint32_t>(s)].mark = stamp_;
+      points.push_back(at(s));
+      s = next(s);
+    } while (s != first);
+    made.push_back(add_cycle());
+    relabel(first, made.back(), chain_orientation(points) < 0);
+    vertices -= points.size();
+  };
+  for (const Slot first : loop_starts) label(first);
+  for (std::size_t c = 0; c < edit.chains.size(); ++c)
+    if (!on_kept[c]) label(edit.chains[c].from);
+  if (walked) return;
+  for (std::size_t c = 0; c < edit.chains.size(); ++c) {
+    if (!on_kept[c]) continue;
+    Slot s = next(edit.chains[c].from);  // the chain's own vertices, then those of the run behind it
+    const Run& run = d.runs[c];
+    for (; s != edit.chains[c].to; s = next(s)) nodes_[static_cast<std::uint32_t>(s)].cycle = kept;
+    if (run.walked)
+      for (const Slot t : run.kept) nodes_[static_cast<std::uint32_t>(t)].cycle = kept;
+  }
+  Cycle& cycle = cycles_[static_cast<std::uint32_t>(kept)];
+  cycle.first = open->kept.front();
+  cycle.size = static_cast<std::uint32_t>(vertices);
+  cycle.hole = false;
+  for (std::size_t i = 0; i < cycles_.size(); ++i)
+    cycle.hole |= CycleId{static_cast<std::uint32_t>(i)} != kept && cycles_[i].size > 0 && !cycles_[i].hole;
 }
 
 }  // namespace limpet::geometry

@@ -39,16 +39,18 @@ bool no_edge_in(const Polygon& polygon, const Box2& box) {
   return !polygon.any_edge_near(box, [](Slot) { return true; });
 }
 
-/// Vertices of a in the box that end needles: spikes less than eight grid steps wide, which rounding closes
-/// wherever the other perimeter crosses them.
-std::vector<std::pair<Slot, EdgeId>> needles(const Polygon& a, const Box2& box) {
+/// Vertices of a that end needles b comes near: spikes less than eight grid steps wide, which rounding closes
+/// wherever b's perimeter crosses them.
+std::vector<std::pair<Slot, EdgeId>> needles(const Polygon& a, const Polygon& b) {
+  constexpr double kWidth = 8;
   std::vector<std::pair<Slot, EdgeId>> found;
-  a.any_edge_near(box, [&](Slot s) {
+  a.any_edge_near(b.box().grown(kWidth), [&](Slot s) {
     if (a.node(s).shared || a.node(a.prev(s)).shared) return false;
     const Point2 tip = a.at(s), before = a.at(a.prev(s)) - tip, after = a.end(s) - tip;
     const double longer2 = std::max(squared_length(before), squared_length(after));
     const double width = cross(before, after);  // times the longer side
-    if (dot(before, after) > 0 && width * width < 64 * longer2) found.emplace_back(s, a.node(s).edge);
+    const bool needle = dot(before, after) > 0 && width * width < kWidth * kWidth * longer2;
+    if (needle && any_edge_within(b, a.at(a.prev(s)), tip, kWidth)) found.emplace_back(s, a.node(s).edge);
     return false;
   });
   return found;
@@ -83,7 +85,7 @@ Merger merge_as_they_are(Polygon& a, const Polygon& b, double gap, EdgeIds& ids)
 Merger merge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
   const Merger merger = merge_as_they_are(a, b, gap, ids);
   if (merger != Merger::refused) return merger;
-  const auto tips = needles(a, b.box().grown(gap));
+  const auto tips = needles(a, b);
   if (tips.empty()) return merger;
   Polygon trimmed = a;
   if (!take_away(trimmed, tips, ids)) return merger;

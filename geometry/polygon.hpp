@@ -131,10 +131,15 @@ class Polygon {
   void rebuild_index();
   /// What an edit takes away and puts in place, worked out once for the judge and once for the commit.
   struct Difference;
+  struct Run;
   Difference difference(const Edit&) const;
+  std::vector<Run> runs_of(const Edit&) const;
   Verdict judge_new_edges(const Difference&) const;
   Verdict judge_swept(const Difference&) const;
   Verdict judge_orientation(const Edit&, const Difference&) const;
+  std::size_t untouched_outer(const Edit&) const;
+  int orientation_of(const Edit&, const Difference&, std::size_t first_chain) const;
+  void label_cycles(const Edit&, const Difference&, std::vector<CycleId> freed, std::span<const Slot> loops);
   /// Does this cycle of the candidate lie inside an odd number of its other cycles?
   bool inside_others(const std::vector<Point2>& cycle, const Difference&) const;
 

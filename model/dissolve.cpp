@@ -53,12 +53,13 @@ void release_points(Engine& e, Segment& s, bool count_return) {
 
 bool dissolve_young(Engine& e) {
   if (!e.rules().dissolve) return false;
-  // Young segments that were modified, and those near where a mature polygon's description changed.
+  // Young polygons that were modified, and all young segments near where a mature polygon's description
+  // changed. The points of point segments have been tried on all polygons when they came.
   std::vector<std::pair<SegmentId, std::uint32_t>> look;
   for (const std::uint32_t slot : e.modified) {
     if (!e.segments[slot]) continue;
     const Segment& s = e.at(slot);
-    if (s.young()) look.emplace_back(s.id, slot);
+    if (s.polygon && s.young()) look.emplace_back(s.id, slot);
     if (!s.mature_polygon() || s.polygon->changed.empty()) continue;
     query(e, s.polygon->changed, e.found);
     for (const std::uint32_t near : e.found)

@@ -1,0 +1,155 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Judging a candidate change of a polygon's boundary.
+//
+// Why the local judgement suffices. Let the polygon be valid, and let (1) no new edge meet an edge that
+// stays, or another new edge, but in a common vertex, and (2) no vertex that stays lie in the swept region
+// (the even-odd region of removed and new edges). Then the new cycles are simple and disjoint, and around
+// every vertex that stays the inside is where it was, so each cycle that keeps a vertex besides the ends of
+// its chains keeps the inside on its left. Of cycles that keep none it is asked explicitly, in O(n). With the
+// inside on the left of all cycles, and one of them anticlockwise, each of the others is a hole in that one.
+#include <limpet/geometry/predicates.hpp>
+
+#include "edit_internal.hpp"
+
+namespace limpet::geometry {
+namespace {
+
+/// What is known of a new cycle.
+struct Ring {
+  bool witnessed = false;  ///< a vertex stays besides the ends of its chains
+  bool walked = true;      ///< all of its vertices have been collected
+};
+
+}  // namespace
+
+Verdict Polygon::judge_new_edges(const Difference& d) const {
+  if (const Verdict v = judge_edges(d.new_edges); v != Verdict::valid) return v;
+  for (const KeyedEdge& e : d.new_edges) {
+    const bool conflict = any_edge_near(box_of(e.a, e.b), [&](Slot s) {
+      if (node(s).mark == stamp_) return false;
+      return in_conflict(e,
+                         {at(s), end(s), static_cast<std::uint64_t>(s), static_cast<std::uint64_t>(next(s))});
+    });
+    if (conflict) return Verdict::crossing;
+  }
+  return Verdict::valid;
+}
+
+Verdict Polygon::judge_swept(const Difference& d) const {
+  const bool swept = any_edge_near(d.box, [&](Slot s) {
+    // A vertex stays when its own edge does, or when it begins a removed stretch (then it is on a chain).
+    if (node(s).mark == stamp_ || !d.box.contains(at(s)) || d.ends_at(s)) return false;
+    return inside_even_odd(d.sweep, at(s));
+  });
+  return swept ? Verdict::swept_vertex : Verdict::valid;
+}
+
+/// Cycles that the edit leaves alone, and are anticlockwise.
+std::size_t Polygon::untouched_outer(const Edit& edit) const {
+  std::vector<char> touched(cycles_.size());
+  for (const CycleId id : edit.removed_cycles) touched[static_cast<std::uint32_t>(id)] = 1;
+  for (const Chain& c : edit.chains) touched[static_cast<std::uint32_t>(node(c.from).cycle)] = 1;
+  std::size_t outer = 0;
+  for (std::size_t i = 0; i < cycles_.size(); ++i)
+    outer += !touched[i] && cycles_[i].size > 0 && !cycles_[i].hole;
+  return outer;
+}
+
+Verdict Polygon::judge_orientation(const Edit& edit, const Difference& d) const {
+  if (edit.chains.size() == 1 && edit.loops.empty() && edit.removed_cycles.empty()) {
+    const Chain& chain = edit.chains.front();
+    const std::size_t kept = cycle(node(chain.from).cycle).size - d.removed_vertices.size();
+    if (chain.from != chain.to && kept >= 3) return Verdict::valid;
+  }
+  std::size_t outer = untouched_outer(edit);
+  const bool outer_is_new = outer == 0;
+  Box2 outer_box;  // of a new anticlockwise cycle
+  std::vector<Point2> points;
+  const auto judge_cycle = [&](bool witnessed) {
+    if (points.size() < 3) return Verdict::too_few_vertices;
+    const int sign = chain_orientation(points);
+    outer += sign > 0;
+    if (sign > 0)
+      for (const Point2 p : points) outer_box.add(p);
+    const bool right = sign != 0 && (witnessed || inside_others(points, d) == (sign < 0));
+    return right ? Verdict::valid : Verdict::orientation;
+  };
+  std::vector<char> seen(edit.chains.size());
+  const auto collect = [&](std::size_t first) {
+    points.clear();
+    Ring ring;
+    for (std::size_t c = first; !seen[c]; c = d.runs[c].next_chain) {
+      seen[c] = 1;
+      for (const NewVertex& v : edit.chains[c].via) points.push_back(v.at);
+      for (const Slot s : d.runs[c].kept) points.push_back(at(s));
+      ring.witnessed |= d.runs[c].kept.size() > 2;
+      ring.walked &= d.runs[c].walked;
+    }
+    return ring;
+  };
+  std::optional<std::size_t> long_ring;
+  for (std::size_t first = 0; first < edit.chains.size(); ++first) {
+    if (seen[first]) continue;
+    const Ring ring = collect(first);
+    if (!ring.walked)
+      long_ring = first;
+    else if (const Verdict v = judge_cycle(ring.witnessed); v != Verdict::valid)
+      return v;
+  }
+  for (const auto& loop : edit.loops) {
+    points.clear();
+    for (const NewVertex& v : loop) points.push_back(v.at);
+    if (const Verdict v = judge_cycle(false); v != Verdict::valid) return v;
+  }
+  if (!long_ring) return outer == 1 ? Verdict::valid : Verdict::orientation;
+  // The inside is bounded and on the left of all cycles, so one of them is anticlockwise: if none of the
+  // others is, then this one. Else it must be a hole, and inside that one.
+  if (outer == 0) return Verdict::valid;
+  const Point2 p = at(edit.chains[*long_ring].to);
+  if (outer > 1 || (outer_is_new && !outer_box.contains(p))) return Verdict::orientation;
+  return orientation_of(edit, d, *long_ring) < 0 ? Verdict::valid : Verdict::orientation;
+}
+
+/// Orientation of the new cycle that chain `first` is on, all of it walked.
+int Polygon::orientation_of(const Edit& edit, const Difference& d, std::size_t first) const {
+  std::vector<Point2> points;
+  std::size_t c = first;
+  do {
+    for (const NewVertex& v : edit.chains[c].via) points.push_back(v.at);
+    const std::size_t next_chain = d.runs[c].next_chain;
+    for (Slot s = edit.chains[c].to; s != edit.chains[next_chain].from; s = next(s)) points.push_back(at(s));
+    points.push_back(at(edit.chains[next_chain].from));
+    c = next_chain;
+  } while (c != first);
+  return chain_orientation(points);
+}
+
+bool Polygon::inside_others(const std::vector<Point2>& cycle, const Difference& d) const {
+  std::vector<Segment2> edges;
+  // The new boundary is the old one exclusive-or the sweep, so a vertex off the old one is placed by
+  // locate().
+  for (const Point2 p : cycle) {
+    const Side side = locate(p);
+    if (side == Side::boundary) continue;
+    edges = d.sweep;
+    for (std::size_t i = 0; i < cycle.size(); ++i)
+      edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
+    return (side == Side::inside) != inside_even_odd(edges, p);
+  }
+  for (const Node& n : nodes_)
+    if (n.edge && n.mark != stamp_) edges.emplace_back(n.at, at(n.next));
+  for (const KeyedEdge& e : d.new_edges) edges.emplace_back(e.a, e.b);
+  for (std::size_t i = 0; i < cycle.size(); ++i) edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
+  return inside_even_odd(edges, cycle.front());  // the cycle's own edges are there twice
+}
+
+Verdict Polygon::judge(const Edit& edit) const {
+  const Difference d = difference(edit);
+  if (d.broken) return Verdict::orientation;
+  if (const Verdict v = judge_new_edges(d); v != Verdict::valid) return v;
+  if (const Verdict v = judge_swept(d); v != Verdict::valid) return v;
+  return judge_orientation(edit, d);
+}
+
+}  // namespace limpet::geometry
