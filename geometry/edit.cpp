@@ -91,6 +91,8 @@ std::vector<Polygon::Run> Polygon::runs_of(const Edit& edit) const {
 
 void Polygon::commit(const Edit& edit, EdgeIds& ids) {
   const Difference d = difference(edit);
+  for (const Slot s : d.removed_edges) twice_area_ -= cross(at(s) - origin_, end(s) - origin_);
+  for (const KeyedEdge& e : d.new_edges) twice_area_ += cross(e.a - origin_, e.b - origin_);
   const auto ref = [this](Slot s) -> Node& { return nodes_[static_cast<std::uint32_t>(s)]; };
   const bool simple = edit.chains.size() == 1 && edit.loops.empty() && edit.removed_cycles.empty();
   std::vector<EdgeId> kept;  // identities that a new vertex brings along are not removed

@@ -15,7 +15,7 @@ inline double signed_area(const Polygon& polygon, const Polygon::Cycle& cycle) {
   return twice / 2;
 }
 
-/// Area of the polygon, its holes left out.
+/// Area of the polygon, its holes left out, summed anew.
 inline double area(const Polygon& polygon) {
   double sum = 0;
   for (const auto& cycle : polygon.cycles())

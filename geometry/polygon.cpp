@@ -29,6 +29,8 @@ std::optional<Polygon> Polygon::from_cycles(std::span<const std::vector<NewVerte
     polygon.nodes_[static_cast<std::uint32_t>(last)].next = cycle.first;
     polygon.nodes_[static_cast<std::uint32_t>(cycle.first)].prev = last;
   }
+  const Point2 o = polygon.origin_ = polygon.nodes_.front().at;
+  for (const Node& n : polygon.nodes_) polygon.twice_area_ += cross(n.at - o, polygon.at(n.next) - o);
   polygon.rebuild_index();
   return polygon;
 }

@@ -87,6 +87,8 @@ class Polygon {
   const std::vector<Cycle>& cycles() const { return cycles_; }
   const Cycle& cycle(CycleId c) const { return cycles_[static_cast<std::uint32_t>(c)]; }
   const Box2& box() const { return box_; }
+  /// Area, its holes left out, in grid steps squared. Kept by every edit, in double arithmetic.
+  double area() const { return twice_area_ / 2; }
 
   /// The vertices of a cycle in its direction, from its first.
   std::vector<NewVertex> vertices(const Cycle&) const;
@@ -147,6 +149,8 @@ class Polygon {
   std::vector<Cycle> cycles_;
   std::vector<std::uint32_t> free_;
   std::size_t edge_count_ = 0;
+  Point2 origin_;  ///< the first vertex there was; what areas are summed about
+  double twice_area_ = 0;
   Box2 box_;
   EdgeIndex index_;
   std::vector<EdgeId> removed_;

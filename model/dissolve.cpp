@@ -39,7 +39,24 @@ bool mostly_fits_neighbours(Engine& e, const Segment& s) {
   return fitting > 0 && 5 * fitting >= s.raw.size();
 }
 
+/// A young polygon is looked at once more before it becomes mature.
+bool came_too_slowly(const Engine& e, const Segment& s, std::int64_t from_count) {
+  return e.rules().arrival && s.polygon && s.moments.count() >= from_count &&
+         too_few_arrived(e, s.fit, s.since_sum);
+}
+
 }  // namespace
+
+void release_slow_polygons(Engine& e) {
+  std::vector<std::pair<SegmentId, std::uint32_t>> slow;
+  for (const auto& s : e.segments)
+    if (s && s->young() && came_too_slowly(e, *s, 0)) slow.emplace_back(s->id, s->slot);
+  std::sort(slow.begin(), slow.end());
+  for (const auto& [id, slot] : slow) {
+    if (Segment* s = e.find(id, slot)) release_points(e, *s, false);
+    insert_pending(e);
+  }
+}
 
 void release_points(Engine& e, Segment& s, bool count_return) {
   assert(static_cast<std::int64_t>(s.raw.size()) == s.moments.count());
@@ -70,8 +87,10 @@ bool dissolve_young(Engine& e) {
   bool any = false;
   for (const auto& [id, slot] : look) {
     Segment* s = e.find(id, slot);
-    if (!s || !mostly_fits_neighbours(e, *s)) continue;
-    release_points(e, *s, true);
+    if (!s) continue;
+    const bool slow = came_too_slowly(e, *s, kYoung * 3 / 4);
+    if (!slow && !mostly_fits_neighbours(e, *s)) continue;
+    release_points(e, *s, !slow);
     any = true;
   }
   insert_pending(e);

@@ -101,6 +101,8 @@ Segment& create_point_segment(Engine& e, const RawPoint& raw) {
   s.moments = Moments(raw.at);
   s.axis_sum = raw.axis;
   s.raw = {raw};
+  if (raw.since < 0) s.raw.front().since = e.counts.points;
+  s.since_sum = static_cast<double>(s.raw.front().since);
   s.fit = fit_to(s.moments, e.step, s.axis_sum);
   s.last_joined = e.counts.points;
   e.slot_of[s.id.value] = slot;
@@ -116,6 +118,7 @@ void erase_segment(Engine& e, Segment& s) {
   const std::uint32_t slot = s.slot;
   if (!s.indexed.isEmpty()) e.index.remove(s.indexed, slot);
   e.slot_of.erase(s.id.value);
+  if (s.polygon) e.modelled_area -= s.polygon->counted_area, e.modelled_points -= s.moments.count();
   e.segments[slot].reset();
   e.free_slots.push_back(slot);
 }
@@ -169,8 +172,15 @@ Places places_of(const PolygonPart& part,
   return places;
 }
 
+void count_area(Engine& e, PolygonPart& part) {
+  const double area = part.perimeter.area() / (e.gap * e.gap);
+  e.modelled_area += area - part.counted_area;
+  part.counted_area = area;
+}
+
 void description_changed(Engine& e, Segment& s, const Places& where) {
   ++s.polygon->shape;
+  count_area(e, *s.polygon);
   s.polygon->changed.add(where);
   mark_modified(e, s);
 }

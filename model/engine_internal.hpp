@@ -27,6 +27,7 @@ struct RawPoint {
   GridPoint at{};
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
   int returned = 0;
+  std::int64_t since = -1;   ///< counts.points when it came; not yet: −1
   std::int64_t serial = -1;  ///< place in the labels, when they are kept
 };
 
@@ -58,6 +59,7 @@ struct PolygonPart {
   Box3 box;                                           ///< of the perimeter in the world
   Places changed;           ///< where the description has changed since step 2 last saw it
   bool stale = false;       ///< the fit has moved on, but its plane could not be published
+  double counted_area = 0;  ///< what of its area is in Engine::modelled_area, λ²
   std::uint64_t shape = 0;  ///< counts changes of the description
   std::vector<std::pair<geometry::Slot, geometry::EdgeId>> fresh;  ///< edges not yet looked at for fissures
 };
@@ -70,6 +72,7 @@ struct Segment {
   Fit fit;
   std::int64_t next_fit = 0;  ///< count at which the fit is computed anew
   std::vector<RawPoint> raw;  ///< all its points while young, else none
+  double since_sum = 0;       ///< of its points while young: counts.points when they came
   std::int64_t last_joined = 0;
   Box3 indexed;  ///< as it is in the spatial index
   bool modified = false;
@@ -93,6 +96,8 @@ struct Engine {
   std::vector<std::unique_ptr<Segment>> segments;  ///< by slot
   std::vector<std::uint32_t> free_slots;
   SpatialIndex index;
+  double modelled_area = 0;          ///< of all polygons, λ²
+  std::int64_t modelled_points = 0;  ///< in all polygons
 
   Counts counts;
   std::vector<std::uint32_t> modified;  ///< slots whose flag is set (thesis §2.3)
@@ -145,6 +150,7 @@ void set_label(Engine&, const RawPoint&, SegmentId);
 void forward_label(Engine&, SegmentId from, SegmentId to);
 /// Notes that the description changed in `where` (world).
 void description_changed(Engine&, Segment&, const Places& where);
+void count_area(Engine&, PolygonPart&);
 /// World boxes.
 Box3 box_around(const Eigen::Vector3d& p, double reach);
 Box3 perimeter_box(const PolygonPart&);
@@ -165,8 +171,11 @@ bool promote_patch(Engine&, Segment& seed);
 
 // promotion.cpp: when a segment is a polygon
 /// Is the normal known well enough to be a polygon's? `raw` are all the points behind the fit, or none.
+/// `since_sum` is that of their times.
 bool promotable(const Engine&, const Fit&, const Eigen::Vector3d& axis_sum,
-                const std::vector<const std::vector<RawPoint>*>& raw);
+                const std::vector<const std::vector<RawPoint>*>& raw, double since_sum);
+/// Have far fewer points come to it, while they waited, than to the rest of the scene?
+bool too_few_arrived(const Engine&, const Fit&, double since_sum);
 /// Chart and diamond (thesis §2.4.1); nothing when that is too small for the grid.
 std::unique_ptr<PolygonPart> diamond_part(Engine&, const Fit&);
 /// Makes a point segment a polygon and extends its diamond to the points it keeps.
@@ -212,6 +221,8 @@ std::optional<geometry::Polygon> in_chart_of(Engine&, const geometry::Chart&, co
 
 // dissolve.cpp: young segments beside mature polygons
 bool dissolve_young(Engine&);
+/// Young polygons that are none (rule `arrival`): their points are loose again.
+void release_slow_polygons(Engine&);
 void release_points(Engine&, Segment&, bool count_return);
 
 // fissures.cpp: §2.5 and step 3

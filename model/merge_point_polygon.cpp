@@ -90,9 +90,12 @@ bool merge_point_into_polygon(Engine& e, Segment& polygon, const RawPoint& raw, 
     return false;
   const bool young = polygon.young();
   polygon.moments.add(raw.at);
+  ++e.modelled_points;
   polygon.axis_sum += raw.axis;
   if (young) {
     polygon.raw.push_back(raw);
+    if (raw.since < 0) polygon.raw.back().since = e.counts.points;
+    polygon.since_sum += static_cast<double>(polygon.raw.back().since);
     if (polygon.moments.count() > kYoung) polygon.raw = {};
   }
   set_label(e, raw, polygon.id);
@@ -106,7 +109,9 @@ bool merge_segment_into_polygon(Engine& e, Segment& polygon, Segment& point, con
   const bool young =
       polygon.young() && point.young() && polygon.moments.count() + point.moments.count() <= kYoung;
   polygon.moments.add(point.moments);
+  e.modelled_points += point.moments.count();
   polygon.axis_sum += point.axis_sum;
+  polygon.since_sum += point.since_sum;
   if (young)
     polygon.raw.insert(polygon.raw.end(), point.raw.begin(), point.raw.end());
   else

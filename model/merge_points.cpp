@@ -58,10 +58,11 @@ PointMerger merge_point_segments(Engine& e, Segment& into, Segment& from) {
   Moments moments = into.moments;
   moments.add(from.moments);
   const Eigen::Vector3d axis_sum = into.axis_sum + from.axis_sum;
+  const double since_sum = into.since_sum + from.since_sum;
   const Fit fit = fit_to(moments, e.step, axis_sum);
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   const bool small = fit.point_variance() < lambda2;
-  const bool polygon = fit.u3 < lambda2 && promotable(e, fit, axis_sum, {&into.raw, &from.raw});
+  const bool polygon = fit.u3 < lambda2 && promotable(e, fit, axis_sum, {&into.raw, &from.raw}, since_sum);
   auto part = polygon ? diamond_part(e, fit) : nullptr;
   if (!part && !small) return PointMerger::refused;
 
@@ -69,6 +70,7 @@ PointMerger merge_point_segments(Engine& e, Segment& into, Segment& from) {
   into.moments = moments;
   into.axis_sum = axis_sum;
   into.fit = fit;
+  into.since_sum = since_sum;
   if (young)
     into.raw.insert(into.raw.end(), from.raw.begin(), from.raw.end());
   else
@@ -89,6 +91,7 @@ bool promote_patch(Engine& e, Segment& seed) {
   const auto around = young_points_around(e, seed);
   Moments moments = seed.moments;
   Eigen::Vector3d axis_sum = seed.axis_sum;
+  double since_sum = seed.since_sum;
   std::vector<const std::vector<RawPoint>*> raw{&seed.raw};
   std::vector<Segment*> patch;
   for (Segment* s : around) {
@@ -100,14 +103,16 @@ bool promote_patch(Engine& e, Segment& seed) {
     if (trial.count() > 5 && fit.u3 > 4 * e.variance * (fit.count - 3) / fit.count) continue;
     moments = trial;
     axis_sum += s->axis_sum;
+    since_sum += s->since_sum;
     raw.push_back(&s->raw);
     patch.push_back(s);
-    if (moments.count() < 8 || !promotable(e, fit, axis_sum, raw)) continue;
+    if (moments.count() < 8 || !promotable(e, fit, axis_sum, raw, since_sum)) continue;
     auto part = diamond_part(e, fit);
     if (!part) return false;
     seed.moments = moments;
     seed.axis_sum = axis_sum;
     seed.fit = fit;
+    seed.since_sum = since_sum;
     for (Segment* joined : patch) {
       seed.raw.insert(seed.raw.end(), joined->raw.begin(), joined->raw.end());
       absorbed(e, seed, *joined);

@@ -123,7 +123,9 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   else
     a.raw = {};
   a.moments.add(b.moments);
+  e.modelled_points += b.moments.count();  // which go when b does
   a.axis_sum += b.axis_sum;
+  a.since_sum += b.since_sum;
   where.add(b.polygon->changed);
   erase_segment(e, b);
 

@@ -66,8 +66,21 @@ std::optional<geometry::Polygon> diamond(Engine& e, const geometry::Chart& chart
 
 }  // namespace
 
+/// Had this been a surface all the time that its points have been waiting, about as many points would have
+/// come to each λ² of it as to any λ² of the surface that is known. Where a stream is long, outliers, and
+/// readings far out in the tails of the noise, make planes, too, but they take their time: below a thirtieth
+/// it is no surface.
+bool too_few_arrived(const Engine& e, const Fit& fit, double since_sum) {
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  const auto points = static_cast<double>(e.counts.points);
+  const double waited = points - since_sum / fit.count;
+  const double area = 12 * std::sqrt(fit.u1 * fit.u2) / lambda2;  // of a rectangle with these variances
+  const auto modelled = static_cast<double>(e.modelled_points);
+  return 30 * fit.count * e.modelled_area * points < waited * area * modelled;
+}
+
 bool promotable(const Engine& e, const Fit& fit, const Eigen::Vector3d& axis_sum,
-                const std::vector<const std::vector<RawPoint>*>& raw) {
+                const std::vector<const std::vector<RawPoint>*>& raw, double since_sum) {
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   if (!e.rules().promotion) {
     // Thesis §2.2: a polygon unless s_pt² < s_pp² or the points are collinear (two eigenvalues zero).
@@ -79,6 +92,7 @@ bool promotable(const Engine& e, const Fit& fit, const Eigen::Vector3d& axis_sum
   if (!faces_outside(fit.normal, axis_sum)) return false;
   const double cos_80 = 0.17364817766693033;
   if (-fit.normal.dot(axis_sum) < cos_80 * std::sqrt(axis_sum.dot(axis_sum))) return false;
+  if (e.rules().arrival && too_few_arrived(e, fit, since_sum)) return false;
   if (!e.rules().chance) return true;
   const Fit firm = without_levers(e, fit, raw, 1);
   return normal_known(e, firm) && !plane_by_chance(firm, v) && without_levers(e, fit, raw, 2).u2 > 4 * v;
@@ -98,6 +112,7 @@ std::unique_ptr<PolygonPart> diamond_part(Engine& e, const Fit& fit) {
 
 void promote(Engine& e, Segment& s, std::unique_ptr<PolygonPart> new_part) {
   s.polygon = std::move(new_part);
+  e.modelled_points += s.moments.count();
   PolygonPart& part = *s.polygon;
   // The points are still there: the diamond is extended to them, from the middle outwards.
   std::vector<std::pair<double, geometry::Point2>> points;

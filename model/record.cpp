@@ -51,8 +51,9 @@ Segment& segment_from(Engine& e, std::uint64_t id, const MomentsRecord& moments,
   s.slot = slot;
   s.moments = Moments(moments);
   s.axis_sum = axis_sum;
-  for (const RawPointRecord& r : raw) s.raw.push_back({r.at, r.axis, r.returned, -1});
+  for (const RawPointRecord& r : raw) s.raw.push_back({r.at, r.axis, r.returned, e.counts.points, -1});
   s.last_joined = e.counts.points;
+  s.since_sum = static_cast<double>(e.counts.points) * static_cast<double>(s.moments.count());
   e.slot_of[id] = slot;
   return s;
 }
@@ -77,6 +78,8 @@ void polygon_from(Engine& e, const PolygonSegmentRecord& r) {
   part.perimeter = std::move(*perimeter);
   part.perimeter.take_created();
   part.box = perimeter_box(part);
+  e.modelled_points += s.moments.count();
+  count_area(e, part);
   s.fit = fit_to(s.moments, e.step, -part.published.plane(part.chart).normal);
   s.next_fit = s.moments.count() + 1 + s.moments.count() / 32;
   update_index(e, s);

@@ -8,10 +8,11 @@
 namespace limpet::model {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool Rules::*>, 12> kRules = {{
+constexpr std::array<std::pair<const char*, bool Rules::*>, 13> kRules = {{
     {"promotion", &Rules::promotion},
     {"chance", &Rules::chance},
     {"patch", &Rules::patch},
+    {"arrival", &Rules::arrival},
     {"residual", &Rules::residual},
     {"best", &Rules::best},
     {"dissolve", &Rules::dissolve},

@@ -13,6 +13,7 @@ struct Rules {
       true;  ///< a point segment becomes a polygon by the precision of its normal, not when s_pt² ≥ s_pp²
   bool chance = true;    ///< nor while so few points could lie in a plane by chance
   bool patch = true;     ///< neighbouring point segments in one plane become a polygon together
+  bool arrival = true;   ///< nor when far fewer points came to it than to the rest of the scene
   bool residual = true;  ///< added data is judged by its own residual, not by the variance after the merger
   bool best = true;      ///< a point goes to the best segment, polygons first; not to the first in memory
   bool dissolve =

@@ -128,6 +128,7 @@ void finish(Engine& e) {
   for (const auto& s : e.segments)  // the model has grown since: all points may try again
     if (s)
       for (RawPoint& raw : s->raw) raw.returned = 0;
+  release_slow_polygons(e);
   release_all_point_segments(e);
   mark_all(e);
   e.refused_pairs.clear();

@@ -3,6 +3,8 @@
 // judge(Edit) looks only at what changes; here it is held against judge_polygon of the whole result.
 #include <array>
 
+#include <limpet/geometry/measure.hpp>
+
 #include "perimeters.hpp"
 
 namespace limpet::geometry {
@@ -88,6 +90,10 @@ TEST(JudgeEdit, AcceptsExactlyWhatTheWholeJudgeAccepts) {
       result.commit(edit, ids);  // even what was refused, to see what would have come of it
       ASSERT_EQ(verdict == Verdict::valid, judge_polygon(result) == Verdict::valid)
           << to_string(verdict) << " but " << to_string(judge_polygon(result));
+      if (verdict == Verdict::valid) {
+        const Point2 size = result.box().high - result.box().low;
+        ASSERT_NEAR(result.area(), area(result), 1e-12 * size.x * size.y);
+      }
       if (verdict != Verdict::valid) continue;
       expect_identities_hold(before, result);
       expect_index_holds(result, random, 5);

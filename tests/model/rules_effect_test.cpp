@@ -119,6 +119,39 @@ TEST(VoidsRule, DoesNothingBeforeTheEnd) {
   EXPECT_GT(before, 0u);
 }
 
+/// A plate at 2,000 readings in λ²: those that the noise has thrown more than three standard deviations off
+/// fit it no more, and there are enough of them for planes of their own.
+TEST(ArrivalRule, TheTailsOfTheNoiseAreNoSurface) {
+  std::size_t with_rule = 0, without = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Random random(seed);
+    const Points points = plate(random, 50000, 0, 0, 5, 5, 0.1);
+    Parameters parameters = with("limpet");
+    parameters.resolution = 1, parameters.noise = 0.1;
+    with_rule += judged(parameters, points).polygon_segments.size();
+    parameters.rules = Rules::parse("-arrival");
+    without += judged(parameters, points).polygon_segments.size();
+  }
+  EXPECT_EQ(with_rule, 4u);
+  EXPECT_GT(without, 4u);
+}
+
+/// What is scanned late, and at a tenth of the density of the rest, is a surface all the same.
+TEST(ArrivalRule, ASurfaceSeenLateAndThinlyIsOne) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Random random(seed);
+    Points points = plate(random, 20000, 0, 0, 5, 5, 0.02), late = plate(random, 6000, 0, 0, 5, 5, 0.02);
+    for (auto& p : late) p.position += Vector3d(20, 0, 0);
+    Points other = plate(random, 60000, 0, 0, 5, 5, 0.02);
+    late.insert(late.end(), other.begin(), other.end());
+    shuffle(late, random);
+    points.insert(points.end(), late.begin(), late.end());
+    Parameters parameters = with("limpet");
+    parameters.resolution = 1, parameters.noise = 0.02;
+    EXPECT_EQ(judged(parameters, points).polygon_segments.size(), 2u) << "seed " << seed;
+  }
+}
+
 /// One reading high above a plate, which then gets as many readings as are asked for.
 Model with_outlier(Parameters parameters, std::int64_t patience, int readings) {
   parameters.outlier_patience = patience;
