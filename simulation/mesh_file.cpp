@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limpet/simulation/mesh.hpp>
@@ -284,6 +285,7 @@ Soup read(std::string ending, std::string_view data) {
 
 Mesh load_mesh(const std::string& path, double planarity, bool keep_inward) {
   try {
+    if (std::filesystem::is_directory(path)) throw MeshError("is a folder, not a mesh file");
     std::ifstream file(path, std::ios::binary);
     const std::string data{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     if (!file) throw MeshError("cannot be read");

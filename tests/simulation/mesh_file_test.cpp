@@ -185,6 +185,7 @@ TEST_F(MeshFile, ErrorsNameTheFileInOneLine) {
     EXPECT_EQ(message.find('\n'), std::string::npos) << name;
   }
   EXPECT_THROW(load_mesh(path("absent.off")), MeshError);
+  EXPECT_THROW(load_mesh(path("")), MeshError);  // the folder
 }
 
 }  // namespace
