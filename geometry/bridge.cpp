@@ -143,11 +143,7 @@ bool apart_along(const Polygon& polygon, Slot v, Slot f, double length) {
 }  // namespace
 
 bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
-  const auto attempt = [&](const Edit& edit) {
-    if (a.judge(edit) != Verdict::valid) return false;
-    a.commit(edit, ids);
-    return true;
-  };
+  const auto attempt = [&](const Edit& edit) { return a.change(edit, ids) == Verdict::valid; };
   const auto around = contacts(a, b, gap);
   for (std::size_t k = 0; k < std::min(around.size(), kMaxContacts); ++k) {
     const Contact& contact = around[k];
@@ -188,9 +184,7 @@ bool bridge_self(Polygon& polygon, Slot vertex, double gap, EdgeIds& ids) {
     const Contact contact{{vertex, 0, v, near[k].squared_distance}, near[k]};
     if (SectionSearch(polygon, polygon, contact, gap).search([&](const SectionEnd& p1, const SectionEnd& p2) {
           const Edit edit = split(polygon, p1, p2);
-          if (polygon.judge(edit) != Verdict::valid) return false;
-          polygon.commit(edit, ids);
-          return true;
+          return polygon.change(edit, ids) == Verdict::valid;
         }))
       return true;
   }

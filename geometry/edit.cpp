@@ -7,8 +7,9 @@
 
 namespace limpet::geometry {
 
-Polygon::Difference Polygon::difference(const Edit& edit) const {
-  Difference d;
+Polygon::Difference& Polygon::difference(const Edit& edit) const {
+  static thread_local Difference d;  // one at a time, with the memory of those before
+  d.clear();
   for (const Chain& chain : edit.chains) d.starts.push_back(chain.from), d.ends.push_back(chain.to);
   for (auto* slots : {&d.starts, &d.ends}) {
     std::sort(slots->begin(), slots->end());
@@ -54,7 +55,6 @@ Polygon::Difference Polygon::difference(const Edit& edit) const {
     key += loop.size();
   }
   for (const auto& [p, q] : d.sweep) d.box.add(p), d.box.add(q);
-  d.runs = runs_of(edit);
   return d;
 }
 
@@ -89,12 +89,21 @@ std::vector<Polygon::Run> Polygon::runs_of(const Edit& edit) const {
   return runs;
 }
 
-void Polygon::commit(const Edit& edit, EdgeIds& ids) {
-  const Difference d = difference(edit);
+void Polygon::commit(const Edit& edit, EdgeIds& ids) { commit(edit, difference(edit), ids); }
+
+Verdict Polygon::change(const Edit& edit, EdgeIds& ids) {
+  Difference& d = difference(edit);
+  const Verdict verdict = judge(edit, d);
+  if (verdict == Verdict::valid) commit(edit, d, ids);
+  return verdict;
+}
+
+void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
   for (const Slot s : d.removed_edges) twice_area_ -= cross(at(s) - origin_, end(s) - origin_);
   for (const KeyedEdge& e : d.new_edges) twice_area_ += cross(e.a - origin_, e.b - origin_);
   const auto ref = [this](Slot s) -> Node& { return nodes_[static_cast<std::uint32_t>(s)]; };
   const bool simple = edit.chains.size() == 1 && edit.loops.empty() && edit.removed_cycles.empty();
+  if (!simple && d.runs.empty()) d.runs = runs_of(edit);
   std::vector<EdgeId> kept;  // identities that a new vertex brings along are not removed
   for (const Chain& c : edit.chains) {
     if (c.edge) kept.push_back(c.edge);

@@ -23,6 +23,11 @@ struct Polygon::Difference {
   Box2 box;
   bool broken = false;  ///< the chains and removed cycles get into each other's way
 
+  void clear() {
+    removed_edges.clear(), removed_vertices.clear(), new_edges.clear(), sweep.clear();
+    starts.clear(), ends.clear(), runs.clear();
+    box = {}, broken = false;
+  }
   void add_edge(Point2 a, Point2 b, std::uint64_t key_a, std::uint64_t key_b) {
     new_edges.push_back({a, b, key_a, key_b});
     sweep.emplace_back(a, b);

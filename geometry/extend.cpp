@@ -111,8 +111,7 @@ Extension extend_to_point(Polygon& polygon, Point2 q, double gap, EdgeIds& ids) 
                    [](const Pair& a, const Pair& b) { return a.length > b.length; });
   for (std::size_t k = 0; k < std::min(pairs.size(), kMaxAttempts); ++k) {
     const Edit edit = edit_for(back[pairs[k].i], forward[pairs[k].j], q);
-    if (polygon.judge(edit) != Verdict::valid) continue;
-    polygon.commit(edit, ids);
+    if (polygon.change(edit, ids) != Verdict::valid) continue;
     return Extension::extended;
   }
   return Extension::refused;

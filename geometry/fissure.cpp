@@ -168,8 +168,7 @@ class Filler {
   }
 
   bool commit(const Edit& edit) {
-    if (polygon_.judge(edit) != Verdict::valid) return false;
-    polygon_.commit(edit, ids_);
+    if (polygon_.change(edit, ids_) != Verdict::valid) return false;
     enqueue_created();
     return true;
   }

@@ -56,12 +56,13 @@ std::size_t Polygon::untouched_outer(const Edit& edit) const {
   return outer;
 }
 
-Verdict Polygon::judge_orientation(const Edit& edit, const Difference& d) const {
+Verdict Polygon::judge_orientation(const Edit& edit, Difference& d) const {
   if (edit.chains.size() == 1 && edit.loops.empty() && edit.removed_cycles.empty()) {
     const Chain& chain = edit.chains.front();
     const std::size_t kept = cycle(node(chain.from).cycle).size - d.removed_vertices.size();
     if (chain.from != chain.to && kept >= 3) return Verdict::valid;
   }
+  if (d.runs.empty()) d.runs = runs_of(edit);
   std::size_t outer = untouched_outer(edit);
   const bool outer_is_new = outer == 0;
   Box2 outer_box;  // of a new anticlockwise cycle
@@ -144,8 +145,9 @@ bool Polygon::inside_others(const std::vector<Point2>& cycle, const Difference& 
   return inside_even_odd(edges, cycle.front());  // the cycle's own edges are there twice
 }
 
-Verdict Polygon::judge(const Edit& edit) const {
-  const Difference d = difference(edit);
+Verdict Polygon::judge(const Edit& edit) const { return judge(edit, difference(edit)); }
+
+Verdict Polygon::judge(const Edit& edit, Difference& d) const {
   if (d.broken) return Verdict::orientation;
   if (const Verdict v = judge_new_edges(d); v != Verdict::valid) return v;
   if (const Verdict v = judge_swept(d); v != Verdict::valid) return v;

@@ -62,9 +62,7 @@ bool take_away(Polygon& a, const std::vector<std::pair<Slot, EdgeId>>& tips, Edg
     if (!a.alive(s) || a.node(s).edge != edge) continue;
     Edit edit;
     edit.chains.push_back({a.prev(s), {}, a.next(s)});
-    if (a.judge(edit) != Verdict::valid) continue;
-    a.commit(edit, ids);
-    any = true;
+    any |= a.change(edit, ids) == Verdict::valid;
   }
   return any;
 }

@@ -114,6 +114,9 @@ class Polygon {
   /// Makes the change. Precondition: judge(edit) == valid.
   void commit(const Edit&, EdgeIds&);
 
+  /// Judges the change, and makes it if it is valid.
+  Verdict change(const Edit&, EdgeIds&);
+
   /// Marks the edge that leaves `s` as shared or not. Its identity stays.
   void set_shared(Slot s, bool shared) { nodes_[static_cast<std::uint32_t>(s)].shared = shared; }
 
@@ -134,11 +137,13 @@ class Polygon {
   /// What an edit takes away and puts in place, worked out once for the judge and once for the commit.
   struct Difference;
   struct Run;
-  Difference difference(const Edit&) const;
+  Difference& difference(const Edit&) const;
+  Verdict judge(const Edit&, Difference&) const;
+  void commit(const Edit&, Difference&, EdgeIds&);
   std::vector<Run> runs_of(const Edit&) const;
   Verdict judge_new_edges(const Difference&) const;
   Verdict judge_swept(const Difference&) const;
-  Verdict judge_orientation(const Edit&, const Difference&) const;
+  Verdict judge_orientation(const Edit&, Difference&) const;
   std::size_t untouched_outer(const Edit&) const;
   int orientation_of(const Edit&, const Difference&, std::size_t first_chain) const;
   void label_cycles(const Edit&, const Difference&, std::vector<CycleId> freed, std::span<const Slot> loops);

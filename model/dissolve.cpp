@@ -10,11 +10,23 @@
 namespace limpet::model::internal {
 namespace {
 
-/// Mature polygons that points of the segment may fit.
-std::vector<const Segment*> mature_polygons_around(Engine& e, const Segment& s) {
+Box3 box_of_points(const Engine& e, const Segment& s) {
   Box3 box;
   for (const RawPoint& raw : s.raw) box.extend(e.world(raw.at));
-  e.index.query(box, e.found);
+  return box;
+}
+
+/// Is a point of the young segment within λ of one of the places?
+bool near_any(const Engine& e, const Segment& young, const Places& places) {
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  const Box3 box = box_of_points(e, young);
+  return std::any_of(places.boxes().begin(), places.boxes().end(),
+                     [&](const Box3& place) { return place.squaredExteriorDistance(box) < lambda2; });
+}
+
+/// Mature polygons that points of the segment may fit.
+std::vector<const Segment*> mature_polygons_around(Engine& e, const Segment& s) {
+  e.index.query(box_of_points(e, s), e.found);
   std::vector<const Segment*> result;
   for (const std::uint32_t slot : e.found)
     if (const Segment& other = e.at(slot); &other != &s && other.mature_polygon()) result.push_back(&other);
@@ -80,7 +92,8 @@ bool dissolve_young(Engine& e) {
     if (!s.mature_polygon() || s.polygon->changed.empty()) continue;
     query(e, s.polygon->changed, e.found);
     for (const std::uint32_t near : e.found)
-      if (e.at(near).young()) look.emplace_back(e.at(near).id, near);
+      if (e.at(near).young() && near_any(e, e.at(near), s.polygon->changed))
+        look.emplace_back(e.at(near).id, near);
   }
   std::sort(look.begin(), look.end());
   look.erase(std::unique(look.begin(), look.end()), look.end());

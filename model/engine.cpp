@@ -108,7 +108,6 @@ Segment& create_point_segment(Engine& e, const RawPoint& raw) {
   e.slot_of[s.id.value] = slot;
   e.by_age.emplace_back(s.last_joined, s.id);
   set_label(e, raw, s.id);
-  update_index(e, s);
   mark_modified(e, s);
   e.changes.push_back({Change::Kind::created, {}, {}, s.id, {}});
   return s;

@@ -142,6 +142,7 @@ double natural_log(double x);
 // engine.cpp: segments and their bookkeeping
 /// Slots of segments near the places, in no order, none twice.
 void query(const Engine&, const Places&, std::vector<std::uint32_t>& found);
+/// Not yet in the spatial index.
 Segment& create_point_segment(Engine&, const RawPoint&);
 void erase_segment(Engine&, Segment&);
 void mark_modified(Engine&, Segment&);

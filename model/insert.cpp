@@ -27,31 +27,37 @@ void add_polygon(const Engine& e, Segment& s, const Eigen::Vector3d& p, const Ei
   if (st.near) candidates.push_back({st.distance2, s.id, &s, st});
 }
 
-/// A point segment tries its neighbours until it has merged into a polygon or fits no other any more.
-void settle(Engine& e, Segment* s, bool polygons_tried) {
-  std::vector<Candidate> polygons, points;
-  for (;;) {
-    polygons.clear(), points.clear();
-    const Eigen::Vector3d centroid = s->fit.centroid;
-    e.index.query(box_around(centroid, 0), e.found);
-    for (const std::uint32_t slot : e.found) {
-      Segment& other = e.at(slot);
-      if (&other == s) continue;
-      if (!other.polygon) {
-        const double d2 = (other.fit.centroid - centroid).squaredNorm();
-        if (d2 < e.parameters.resolution * e.parameters.resolution)
-          points.push_back({d2, other.id, &other, {}});
-      } else if (!polygons_tried) {
-        add_polygon(e, other, centroid, s->axis_sum, s->moments.squared_residual(other.fit.plane(), e.step),
-                    polygons);
-      }
+/// Point segments within λ of s, and polygons that it fits if these are still to be tried.
+void neighbours(Engine& e, Segment& s, bool polygons_tried, std::vector<Candidate>& polygons,
+                std::vector<Candidate>& points) {
+  polygons.clear(), points.clear();
+  const Eigen::Vector3d centroid = s.fit.centroid;
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  for (const std::uint32_t slot : e.found) {
+    Segment& other = e.at(slot);
+    if (&other == &s) continue;
+    if (!other.polygon) {
+      const double d2 = (other.fit.centroid - centroid).squaredNorm();
+      if (d2 < lambda2) points.push_back({d2, other.id, &other, {}});
+    } else if (!polygons_tried) {
+      add_polygon(e, other, centroid, s.axis_sum, s.moments.squared_residual(other.fit.plane(), e.step),
+                  polygons);
     }
-    order(e, polygons);
-    if (!e.rules().best)
-      polygons.insert(polygons.end(), points.begin(), points.end()), points.clear(), order(e, polygons);
-    order(e, points);
-    polygons.insert(polygons.end(), points.begin(),
-                    points.end());  // a fitting polygon beats a nearer point segment
+  }
+  order(e, polygons);
+  if (!e.rules().best)
+    polygons.insert(polygons.end(), points.begin(), points.end()), points.clear(), order(e, polygons);
+  order(e, points);
+}
+
+/// A new point segment tries its neighbours until it has merged into a polygon or fits no other any more.
+/// What lies around it has been found already.
+void settle(Engine& e, Segment* s, bool polygons_tried) {
+  static thread_local std::vector<Candidate> polygons, points;
+  for (;;) {
+    neighbours(e, *s, polygons_tried, polygons, points);
+    // A fitting polygon beats a nearer point segment.
+    polygons.insert(polygons.end(), points.begin(), points.end());
     Segment* next = nullptr;
     for (const Candidate& c : polygons) {
       if (c.segment->polygon) {
@@ -66,11 +72,13 @@ void settle(Engine& e, Segment* s, bool polygons_tried) {
       }
     }
     if (!next) {
+      update_index(e, *s);
       promote_patch(e, *s);
       return;
     }
     s = next;
     polygons_tried = false;
+    e.index.query(box_around(s->fit.centroid, 0), e.found);
   }
 }
 
@@ -81,20 +89,17 @@ void insert_point(Engine& e, const RawPoint& raw) {
   candidates.clear();
   const Eigen::Vector3d p = e.world(raw.at);
   e.index.query(box_around(p, 0), e.found);
+  const bool best = e.rules().best;
   for (const std::uint32_t slot : e.found) {
     Segment& s = e.at(slot);
-    if (!s.polygon) continue;
+    if (!best || !s.polygon) continue;
     const double height = s.fit.plane().height_of(p);
     add_polygon(e, s, p, raw.axis, height * height, candidates);
   }
   if (candidates.size() > 1) order(e, candidates);
-  if (e.rules().best) {
-    for (const Candidate& c : candidates)
-      if (merge_point_into_polygon(e, *c.segment, raw, c.standing)) return;
-    settle(e, &create_point_segment(e, raw), true);
-  } else {
-    settle(e, &create_point_segment(e, raw), false);
-  }
+  for (const Candidate& c : candidates)
+    if (merge_point_into_polygon(e, *c.segment, raw, c.standing)) return;
+  settle(e, &create_point_segment(e, raw), best);
 }
 
 void insert_pending(Engine& e) {

@@ -2,11 +2,14 @@
 //
 // Merging two point segments (thesis §2.4.1), and promoting a patch of them.
 #include <algorithm>
+#include <numeric>
 
 #include "engine_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
+
+constexpr std::int64_t kPatch = 8;  ///< points that a patch has at least
 
 /// Points of point segments around a new polygon may fit it now: each tries again on its own.
 void release_neighbours(Engine& e, const Segment& polygon) {
@@ -89,6 +92,8 @@ PointMerger merge_point_segments(Engine& e, Segment& into, Segment& from) {
 bool promote_patch(Engine& e, Segment& seed) {
   if (!e.rules().promotion || !e.rules().patch || !seed.young()) return false;
   const auto around = young_points_around(e, seed);
+  const auto add_count = [](std::int64_t sum, const Segment* s) { return sum + s->moments.count(); };
+  if (std::accumulate(around.begin(), around.end(), seed.moments.count(), add_count) < kPatch) return false;
   Moments moments = seed.moments;
   Eigen::Vector3d axis_sum = seed.axis_sum;
   double since_sum = seed.since_sum;
@@ -106,7 +111,7 @@ bool promote_patch(Engine& e, Segment& seed) {
     since_sum += s->since_sum;
     raw.push_back(&s->raw);
     patch.push_back(s);
-    if (moments.count() < 8 || !promotable(e, fit, axis_sum, raw, since_sum)) continue;
+    if (moments.count() < kPatch || !promotable(e, fit, axis_sum, raw, since_sum)) continue;
     auto part = diamond_part(e, fit);
     if (!part) return false;
     seed.moments = moments;

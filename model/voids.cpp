@@ -57,8 +57,8 @@ bool drop_chance_holes(Engine& e, Segment& s) {
     });
   }
   edit.removed_cycles = small;
-  if (edit.removed_cycles.empty() || perimeter.judge(edit) != geometry::Verdict::valid) return false;
-  perimeter.commit(edit, e.edge_ids);
+  if (edit.removed_cycles.empty() || perimeter.change(edit, e.edge_ids) != geometry::Verdict::valid)
+    return false;
   e.changes.push_back({Change::Kind::edges_removed, {}, {}, s.id, perimeter.take_removed()});
   description_changed(e, s, s.polygon->box);
   return true;
