@@ -17,10 +17,11 @@ namespace {
 
 bool within(Point2 a, Point2 b, double gap) { return squared_length(a - b) < gap * gap; }
 
-/// The foot of p on the inside of edge ab, if p is within gap of it there.
+/// The foot of p on the inside of edge ab, if p is within gap of it there. One beside an end is none: it
+/// would only follow the rounding of the foot before it, step by step, and turn a long edge inwards with it.
 std::optional<Point2> foot_on(Point2 a, Point2 b, Point2 p, double gap) {
   const Point2 foot = round_to_grid(a + nearest_fraction(a, b, p) * (b - a));
-  if (foot == a || foot == b || foot == p || !within(foot, p, gap)) return std::nullopt;
+  if (within(foot, a, 2) || within(foot, b, 2) || foot == p || !within(foot, p, gap)) return std::nullopt;
   return foot;
 }
 

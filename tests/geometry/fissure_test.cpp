@@ -124,6 +124,23 @@ TEST(Fill, ACascade) {
   EXPECT_EQ(outline(f.result), outline(plate({{524, 1000}, {476, 1000}})));
 }
 
+/// A pocket beside an edge 10⁷ steps long: each foot on that edge is rounded, and the next one must not
+/// follow it, or the edge turns inwards with it.
+TEST(Fill, AFootDoesNotCreepAlongItsOwnRounding) {
+  const Filled f = filled({cycle_of({{16753626, 5606214},
+                                     {16741414, 5602142},
+                                     {16742894, 5597700},
+                                     {16750664, 5600291},
+                                     {16753995, 5590302},
+                                     {16745222, 5587380},
+                                     {11163692, 22331962},
+                                     {0, 0},
+                                     {16759918, 5587340}})},
+                          10000);
+  EXPECT_GT(f.count, 0u);
+  EXPECT_LT(f.count, 10u);
+}
+
 TEST(Fill, SharedEdgesStay) {
   for (int k = 3; k <= 5; ++k) {
     Cycles cycles = plate({{520, 1000}, {520, 500}, {480, 500}, {480, 1000}});
