@@ -194,7 +194,6 @@ void Polygon::label_cycles(const Edit& edit, const Difference& d, std::vector<Cy
   for (const CycleId id : freed)
     if (walked || id != kept) cycles_[static_cast<std::uint32_t>(id)] = {};
 
-  std::vector<CycleId> made;
   ++stamp_;
   const auto label = [&](Slot first) {
     if (node(first).mark == stamp_) return;
@@ -205,8 +204,7 @@ void Polygon::label_cycles(const Edit& edit, const Difference& d, std::vector<Cy
       points.push_back(at(s));
       s = next(s);
     } while (s != first);
-    made.push_back(add_cycle());
-    relabel(first, made.back(), chain_orientation(points) < 0);
+    relabel(first, add_cycle(), chain_orientation(points) < 0);
     vertices -= points.size();
   };
   for (const Slot first : loop_starts) label(first);

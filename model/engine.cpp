@@ -14,26 +14,6 @@ void require(bool good, const char* what) {
 
 }  // namespace
 
-double cosine(double x) {
-  double term = 1, sum = 1;
-  for (int k = 1; k < 20; ++k) {
-    term *= -x * x / ((2 * k - 1) * (2 * k));
-    sum += term;
-  }
-  return sum;
-}
-
-double natural_log(double x) {
-  constexpr double kE = 2.718281828459045;
-  double whole = 0;
-  for (; x > kE; ++whole) x /= kE;
-  for (; x < 1; --whole) x *= kE;
-  const double q = (x - 1) / (x + 1);
-  double power = q, sum = 0;
-  for (int k = 1; k < 60; k += 2, power *= q * q) sum += power / k;
-  return whole + 2 * sum;
-}
-
 Engine::Engine(const Parameters& p) : parameters(p) {
   const auto finite = [](double x) { return std::isfinite(x); };
   require(finite(p.resolution) && p.resolution > 0, "the linear resolution must be a length greater than 0");
@@ -48,32 +28,6 @@ Engine::Engine(const Parameters& p) : parameters(p) {
   gap = p.resolution / step;
   cos_angle = cosine(p.angle_rad);
   sin_angle = std::sqrt(1 - cos_angle * cos_angle);
-}
-
-void Places::add(const Box3& place) {
-  constexpr std::size_t kMost = 32;
-  if (place.isEmpty()) return;
-  for (Box3& box : boxes_) {
-    const Box3 both = box.merged(place);
-    if (both.diagonal().norm() > box.diagonal().norm() + place.diagonal().norm()) continue;
-    box = both;
-    return;
-  }
-  if (boxes_.size() == kMost)
-    boxes_.back().extend(place);
-  else
-    boxes_.push_back(place);
-}
-
-void query(const Engine& e, const Places& places, std::vector<std::uint32_t>& found) {
-  found.clear();
-  std::vector<std::uint32_t> some;
-  for (const Box3& box : places.boxes()) {
-    e.index.query(box, some);
-    found.insert(found.end(), some.begin(), some.end());
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
 Segment* Engine::find(SegmentId id) {
@@ -154,21 +108,6 @@ Box3 perimeter_box(const PolygonPart& part) {
     box.extend(part.chart.at(p, part.published(p)));
   }
   return box;
-}
-
-Places places_of(const PolygonPart& part,
-                 std::span<const std::pair<geometry::Slot, geometry::EdgeId>> edges) {
-  const auto at = [&](geometry::Slot s) {
-    const geometry::Point2 v = part.perimeter.at(s);
-    return part.chart.at(v, part.published(v));
-  };
-  Places places;
-  for (const auto& [slot, edge] : edges) {
-    if (!part.perimeter.alive(slot)) continue;
-    Box3 box(at(slot));
-    places.add(box.extend(at(part.perimeter.next(slot))));
-  }
-  return places;
 }
 
 void count_area(Engine& e, PolygonPart& part) {

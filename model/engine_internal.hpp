@@ -15,6 +15,9 @@
 #include <limpet/model/moments.hpp>
 #include <limpet/model/spatial_index.hpp>
 
+#include "places_internal.hpp"
+#include "series_internal.hpp"
+
 /// The state behind a Model and the operations of chapter 2 on it, one file each. Nothing here is installed.
 namespace limpet::model::internal {
 
@@ -29,24 +32,6 @@ struct RawPoint {
   int returned = 0;
   std::int64_t since = -1;   ///< counts.points when it came; not yet: −1
   std::int64_t serial = -1;  ///< place in the labels, when they are kept
-};
-
-/// A few places in the world, as boxes. Near ones are joined, so that a change here and one far away do not
-/// ask for a look at all that lies between.
-class Places {
- public:
-  Places() = default;
-  Places(const Box3& place) { add(place); }  // NOLINT(google-explicit-constructor): one place is places
-  void add(const Box3& place);
-  void add(const Places& other) {
-    for (const Box3& place : other.boxes_) add(place);
-  }
-  void clear() { boxes_.clear(); }
-  bool empty() const { return boxes_.empty(); }
-  const std::vector<Box3>& boxes() const { return boxes_; }
-
- private:
-  std::vector<Box3> boxes_;
 };
 
 /// What a planar polygon segment has beyond a point segment.
@@ -134,14 +119,7 @@ inline bool faces_outside(const Eigen::Vector3d& normal, const Eigen::Vector3d& 
   return normal.dot(axis_sum) < -1e-6;
 }
 
-/// Cosine by its series: the same bits everywhere. Precondition: |x| ≤ 2.
-double cosine(double x);
-/// Likewise the logarithm to base e. Precondition: x > 0.
-double natural_log(double x);
-
 // engine.cpp: segments and their bookkeeping
-/// Slots of segments near the places, in no order, none twice.
-void query(const Engine&, const Places&, std::vector<std::uint32_t>& found);
 /// Not yet in the spatial index.
 Segment& create_point_segment(Engine&, const RawPoint&);
 void erase_segment(Engine&, Segment&);
@@ -155,6 +133,10 @@ void count_area(Engine&, PolygonPart&);
 /// World boxes.
 Box3 box_around(const Eigen::Vector3d& p, double reach);
 Box3 perimeter_box(const PolygonPart&);
+
+// places.cpp
+/// Slots of segments near the places, in ascending order.
+void query(const Engine&, const Places&, std::vector<std::uint32_t>& found);
 /// Where those of the edges lie that are still there.
 Places places_of(const PolygonPart&, std::span<const std::pair<geometry::Slot, geometry::EdgeId>> edges);
 

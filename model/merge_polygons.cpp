@@ -74,9 +74,9 @@ std::vector<geometry::EdgeId> lost_edges(
 }
 
 /// Where a merger changes what others see: at the new edges, and all over what was young before.
-Places places_of(const Segment& a, const Segment& b,
-                 const std::vector<std::pair<geometry::Slot, geometry::EdgeId>>& created) {
-  Places places = internal::places_of(*a.polygon, created);
+Places changed_places(const Segment& a, const Segment& b,
+                      const std::vector<std::pair<geometry::Slot, geometry::EdgeId>>& created) {
+  Places places = places_of(*a.polygon, created);
   for (const Segment* s : {&a, &b})
     if (s->young()) places.add(s->polygon->box);
   return places;
@@ -111,7 +111,7 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   const auto created = part.perimeter.take_created();
   part.fresh.insert(part.fresh.end(), created.begin(), created.end());
   std::vector<geometry::EdgeId> removed = part.perimeter.take_removed();
-  Places where = places_of(a, b, created);
+  Places where = changed_places(a, b, created);
   for (const Box3& place : where.boxes()) part.box.extend(place);
   const auto lost = lost_edges(*other, created);
   removed.insert(removed.end(), lost.begin(), lost.end());

@@ -1,0 +1,49 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+
+void Places::add(const Box3& place) {
+  constexpr std::size_t kMost = 32;
+  if (place.isEmpty()) return;
+  for (Box3& box : boxes_) {
+    const Box3 both = box.merged(place);
+    if (both.diagonal().norm() > box.diagonal().norm() + place.diagonal().norm()) continue;
+    box = both;
+    return;
+  }
+  if (boxes_.size() == kMost)
+    boxes_.back().extend(place);
+  else
+    boxes_.push_back(place);
+}
+
+void query(const Engine& e, const Places& places, std::vector<std::uint32_t>& found) {
+  found.clear();
+  std::vector<std::uint32_t> some;
+  for (const Box3& box : places.boxes()) {
+    e.index.query(box, some);
+    found.insert(found.end(), some.begin(), some.end());
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
+Places places_of(const PolygonPart& part,
+                 std::span<const std::pair<geometry::Slot, geometry::EdgeId>> edges) {
+  const auto at = [&](geometry::Slot s) {
+    const geometry::Point2 v = part.perimeter.at(s);
+    return part.chart.at(v, part.published(v));
+  };
+  Places places;
+  for (const auto& [slot, edge] : edges) {
+    if (!part.perimeter.alive(slot)) continue;
+    Box3 box(at(slot));
+    places.add(box.extend(at(part.perimeter.next(slot))));
+  }
+  return places;
+}
+
+}  // namespace limpet::model::internal
