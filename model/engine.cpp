@@ -23,6 +23,7 @@ Engine::Engine(const Parameters& p) : parameters(p) {
   require(finite(p.tolerance) && p.tolerance >= 0, "the tolerance must be a length of 0 or more");
   require(finite(p.input_quantum) && p.input_quantum >= 0, "the input quantum must be a length of 0 or more");
   require(p.resolution > 1e-150 && p.resolution < 1e150, "the linear resolution is out of range");
+  index = SpatialIndex(2.6 * p.resolution);  // point segments' boxes are 2.5 λ wide
   step = geometry::grid_step_for(p.resolution);
   variance = p.noise * p.noise + step * step + p.input_quantum * p.input_quantum;
   gap = p.resolution / step;

@@ -1,48 +1,151 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/model/spatial_index.hpp>
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <boost/iterator/function_output_iterator.hpp>
+#include <algorithm>
 
 namespace limpet::model {
-namespace {
 
-namespace bg = boost::geometry;
-using Corner = bg::model::point<double, 3, bg::cs::cartesian>;
-using TreeBox = bg::model::box<Corner>;
-using Entry = std::pair<TreeBox, std::uint32_t>;
+/// The cells that a box touches.
+struct SpatialIndex::Grid::Range {
+  Index low, high;
 
-TreeBox tree_box(const Box3& b) {
-  return {Corner(b.min().x(), b.min().y(), b.min().z()), Corner(b.max().x(), b.max().y(), b.max().z())};
-}
-
-}  // namespace
-
-struct SpatialIndex::Tree {
-  bg::index::rtree<Entry, bg::index::quadratic<16>> entries;
+  double count() const {
+    double n = 1;
+    for (std::size_t i = 0; i < 3; ++i) n *= static_cast<double>(high[i] - low[i] + 1);
+    return n;
+  }
+  template <class F>
+  void for_each(F&& f) const {
+    Index at{};
+    for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
+      for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
+        for (at[2] = low[2]; at[2] <= high[2]; ++at[2]) f(at);
+  }
 };
 
-SpatialIndex::SpatialIndex() : tree_(std::make_unique<Tree>()) {}
-SpatialIndex::~SpatialIndex() = default;
-SpatialIndex::SpatialIndex(SpatialIndex&&) noexcept = default;
-SpatialIndex& SpatialIndex::operator=(SpatialIndex&&) noexcept = default;
+std::uint64_t SpatialIndex::Grid::key_of(const Index& at) {
+  std::uint64_t key = 0;
+  for (const std::int64_t i : at) {
+    key = (key ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15u;
+    key ^= key >> 29;
+  }
+  return key;
+}
+
+SpatialIndex::Grid::Range SpatialIndex::Grid::range_of(const Box3& box) const {
+  return {index_of(box.min()), index_of(box.max())};
+}
+
+/// Where a key is, or would be put.
+std::size_t SpatialIndex::Grid::place_of(std::uint64_t key) const {
+  const std::size_t mask = places_.size() - 1;
+  std::size_t i = key & mask;
+  while (places_[i].cell != 0 && places_[i].key != key) i = (i + 1) & mask;
+  return i;
+}
+
+const SpatialIndex::Cell* SpatialIndex::Grid::find(const Index& at) const {
+  const Place& place = places_[place_of(key_of(at))];
+  return place.cell == 0 ? nullptr : &cells_[place.cell - 1];
+}
+
+SpatialIndex::Cell& SpatialIndex::Grid::find_or_make(const Index& at) {
+  const std::uint64_t key = key_of(at);
+  std::size_t i = place_of(key);
+  if (places_[i].cell == 0) {
+    if (2 * (cells_.size() + 1) > places_.size()) make_room(), i = place_of(key);
+    cells_.emplace_back();
+    places_[i] = {key, static_cast<std::uint32_t>(cells_.size())};
+  }
+  return cells_[places_[i].cell - 1];
+}
+
+/// Forgets the cells that have become empty, and takes a larger table if that was not enough.
+void SpatialIndex::Grid::make_room() {
+  std::vector<Cell> cells;
+  std::vector<Place> kept;
+  for (const Place& place : places_) {
+    if (place.cell == 0 || cells_[place.cell - 1].empty()) continue;
+    cells.push_back(std::move(cells_[place.cell - 1]));
+    kept.push_back({place.key, static_cast<std::uint32_t>(cells.size())});
+  }
+  cells_ = std::move(cells);
+  std::size_t size = 16;
+  while (size < 4 * (cells_.size() + 1)) size *= 2;
+  places_.assign(size, {});
+  for (const Place& place : kept) places_[place_of(place.key)] = place;
+}
+
+void SpatialIndex::Grid::insert(const Entry& entry) {
+  range_of(entry.box).for_each([&](const Index& at) { find_or_make(at).push_back(entry); });
+  ++size_;
+}
+
+void SpatialIndex::Grid::remove(const Entry& entry) {
+  range_of(entry.box).for_each([&](const Index& at) {
+    Cell& cell = cells_[places_[place_of(key_of(at))].cell - 1];
+    const auto mine =
+        std::find_if(cell.begin(), cell.end(), [&](const Entry& e) { return e.slot == entry.slot; });
+    *mine = cell.back();
+    cell.pop_back();
+    if (cell.empty()) cell = {};
+  });
+  --size_;
+}
+
+void SpatialIndex::Grid::query(const Box3& box, std::vector<std::uint32_t>& found) const {
+  const Range range = range_of(box);
+  if (range.low == range.high) {
+    if (const Cell* cell = find(range.low))
+      for (const Entry& e : *cell)
+        if (e.box.intersects(box)) found.push_back(e.slot);
+    return;
+  }
+  // An entry is in several cells; it is told where its first corner within the query lies.
+  const auto look = [&](const Cell& cell, const Index& at) {
+    for (const Entry& e : cell)
+      if (e.box.intersects(box) && index_of(e.box.min().cwiseMax(box.min())) == at) found.push_back(e.slot);
+  };
+  if (range.count() <= static_cast<double>(cells_.size())) {
+    range.for_each([&](const Index& at) {
+      if (const Cell* cell = find(at)) look(*cell, at);
+    });
+    return;
+  }
+  const auto corner_key = [&](const Entry& e) { return key_of(index_of(e.box.min().cwiseMax(box.min()))); };
+  for (const Place& place : places_) {
+    if (place.cell == 0) continue;
+    for (const Entry& e : cells_[place.cell - 1])
+      if (e.box.intersects(box) && corner_key(e) == place.key) found.push_back(e.slot);
+  }
+}
+
+std::size_t SpatialIndex::level_of(const Box3& box) const {
+  const double extent = box.sizes().maxCoeff();
+  std::size_t level = 0;
+  for (double width = smallest_; width < extent; width *= 4) ++level;
+  return level;
+}
 
 void SpatialIndex::insert(const Box3& box, std::uint32_t slot) {
-  tree_->entries.insert({tree_box(box), slot});
+  const std::size_t level = level_of(box);
+  while (levels_.size() <= level)
+    levels_.emplace_back(levels_.empty() ? smallest_ : 4 * levels_.back().width());
+  levels_[level].insert({box, slot});
 }
 
-void SpatialIndex::remove(const Box3& box, std::uint32_t slot) {
-  tree_->entries.remove(Entry{tree_box(box), slot});
-}
+void SpatialIndex::remove(const Box3& box, std::uint32_t slot) { levels_[level_of(box)].remove({box, slot}); }
 
 void SpatialIndex::query(const Box3& box, std::vector<std::uint32_t>& found) const {
   found.clear();
-  tree_->entries.query(
-      bg::index::intersects(tree_box(box)),
-      boost::make_function_output_iterator([&](const Entry& e) { found.push_back(e.second); }));
+  for (const Grid& grid : levels_)
+    if (grid.size() > 0) grid.query(box, found);
 }
 
-std::size_t SpatialIndex::size() const { return tree_->entries.size(); }
+std::size_t SpatialIndex::size() const {
+  std::size_t size = 0;
+  for (const Grid& grid : levels_) size += grid.size();
+  return size;
+}
 
 }  // namespace limpet::model
