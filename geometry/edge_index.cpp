@@ -36,8 +36,8 @@ void EdgeIndex::reset(const Box2& box, std::size_t edges) {
 }
 
 Point2 EdgeIndex::reference(int i, int j) const {
-  return {std::floor(box_.low.x + (i + 0.5) * size_) + 0x1p-27,
-          std::floor(box_.low.y + (j + 0.5) * size_) + 0.5};
+  return {rounded_down(box_.low.x + (i + 0.5) * size_) + 0x1p-27,
+          rounded_down(box_.low.y + (j + 0.5) * size_) + 0.5};
 }
 
 template <class F>
@@ -97,7 +97,8 @@ void EdgeIndex::flip(std::span<const Segment2> sweep) {
   const int width = i1 - i0 + 1;
   // crossings(i, j): is the number of sweep edges that cross the row with exactly i references on their left
   // odd?
-  std::vector<char> crossings(static_cast<std::size_t>(j1 - j0 + 1) * (width + 1));
+  static thread_local std::vector<char> crossings;
+  crossings.assign(static_cast<std::size_t>(j1 - j0 + 1) * (width + 1), 0);
   for (const auto& [p, q] : sweep) {
     const bool up = p.y < q.y;
     const Point2 a = up ? p : q, b = up ? q : p;

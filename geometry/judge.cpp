@@ -65,6 +65,13 @@ bool in_conflict(const KeyedEdge& e, const KeyedEdge& f) {
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> find_conflict(std::span<const KeyedEdge> edges) {
+  constexpr std::size_t kFew = 8;
+  if (edges.size() <= kFew) {
+    for (std::size_t i = 1; i < edges.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (in_conflict(edges[j], edges[i])) return std::pair(j, i);
+    return std::nullopt;
+  }
   std::vector<std::uint32_t> order(edges.size());
   std::vector<Box2> boxes(edges.size());
   for (std::uint32_t i = 0; i < edges.size(); ++i) order[i] = i, boxes[i] = box_of(edges[i].a, edges[i].b);

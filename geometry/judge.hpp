@@ -19,7 +19,7 @@ struct KeyedEdge {
 /// Do two edges break simplicity? They may meet in a common vertex (equal keys) and nowhere else.
 bool in_conflict(const KeyedEdge&, const KeyedEdge&);
 
-/// The first two edges in conflict that a sweep from left to right finds.
+/// Two edges in conflict, always the same ones for the same edges.
 std::optional<std::pair<std::size_t, std::size_t>> find_conflict(std::span<const KeyedEdge>);
 
 /// Judges edges against each other: lengths and conflicts, by a sweep over their boxes.

@@ -36,7 +36,7 @@ std::vector<const Segment*> mature_polygons_around(Engine& e, const Segment& s) 
 bool fits(const Engine& e, const RawPoint& raw, const Segment& polygon) {
   const Eigen::Vector3d p = e.world(raw.at);
   if (!polygon.indexed.contains(p)) return false;
-  const double h = polygon.fit.plane().height_of(p);
+  const double h = polygon.fit.height_of(p);
   return h * h <= residual_limit(e, polygon, p) && standing(e, polygon, p, raw.axis, h * h).near;
 }
 

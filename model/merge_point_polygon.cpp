@@ -21,7 +21,7 @@ Standing standing(const Engine& e, const Segment& s, const Eigen::Vector3d& p, c
                   double squared_residual) {
   Standing result;
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
-  const double height = s.fit.plane().height_of(p);
+  const double height = s.fit.height_of(p);
   if (height * height >= lambda2 || axis.dot(s.fit.normal) > 0) return result;
   if (e.rules().residual && squared_residual > residual_limit(e, s, p)) return result;
   const PolygonPart& part = *s.polygon;
