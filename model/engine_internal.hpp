@@ -57,6 +57,7 @@ struct Segment {
   Fit fit;
   std::int64_t next_fit = 0;  ///< count at which the fit is computed anew
   std::vector<RawPoint> raw;  ///< all its points while young, else none
+  std::size_t seen = 0;       ///< of these, how many dissolve_young() has tried on mature polygons
   double since_sum = 0;       ///< of its points while young: counts.points when they came
   std::int64_t last_joined = 0;
   Box3 indexed;  ///< as it is in the spatial index

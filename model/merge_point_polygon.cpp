@@ -42,7 +42,8 @@ namespace {
 
 /// The rules that look at the merged moments: the thesis's variance, and the initial plane while the polygon
 /// is young (later the fit moves too little between two refits to drift unseen).
-bool merged_fit_accepted(const Engine& e, const Segment& polygon, const Moments& added,
+template <class Data>  // Moments, or a single GridPoint
+bool merged_fit_accepted(const Engine& e, const Segment& polygon, const Data& added,
                          const Eigen::Vector3d& axis) {
   if (!faces_outside(polygon.polygon->outward, polygon.axis_sum + axis)) return false;
   const bool check_variance = !e.rules().residual;
@@ -86,8 +87,7 @@ void joined(Engine& e, Segment& polygon) {
 }  // namespace
 
 bool merge_point_into_polygon(Engine& e, Segment& polygon, const RawPoint& raw, const Standing& st) {
-  if (!merged_fit_accepted(e, polygon, Moments(raw.at), raw.axis) || !extend_perimeter(e, polygon, st))
-    return false;
+  if (!merged_fit_accepted(e, polygon, raw.at, raw.axis) || !extend_perimeter(e, polygon, st)) return false;
   const bool young = polygon.young();
   polygon.moments.add(raw.at);
   ++e.modelled_points;

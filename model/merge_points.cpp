@@ -39,7 +39,8 @@ void absorbed(Engine& e, Segment& into, Segment& from) {
 /// Young point segments within 2λ of a point segment, nearest first, ties by identity.
 std::vector<Segment*> young_points_around(Engine& e, const Segment& seed) {
   const double reach = 2 * e.parameters.resolution;
-  e.index.query(box_around(seed.fit.centroid, reach), e.found);
+  // Indexed boxes reach λ beyond what they hold.
+  e.index.query(box_around(seed.fit.centroid, reach - e.parameters.resolution), e.found);
   std::vector<std::pair<double, Segment*>> near;
   for (const std::uint32_t slot : e.found) {
     Segment& s = e.at(slot);
