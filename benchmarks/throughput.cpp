@@ -41,6 +41,8 @@
 #include <limpet/simulation/scan.hpp>
 #include <limpet/simulation/scene.hpp>
 
+#include "scan_case.hpp"
+
 namespace {
 
 using namespace limpet;
@@ -72,14 +74,10 @@ Cloud make_cloud(const Arguments& args, const std::string& shape, const std::str
   Cloud cloud;
   cloud.shape = shape, cloud.order = order;
   cloud.faces = static_cast<int>(faces.size());
-  double area = 0;
-  for (const auto& face : faces) area += face.area;
-  const auto bounds = simulation::bounds_of(scene.mesh);
-  // 0.2 % of the box's size; in a city, of one of its boxes.
-  const double size = shape.starts_with("city") ? 1 : (bounds.high - bounds.low).maxCoeff();
-  cloud.noise = args.noise * size;
-  cloud.spacing = 2.2 * std::sqrt(area / static_cast<double>(count));
-  cloud.resolution = std::max(scene.feature / 20, cloud.spacing);
+  const double area = benchmarks::area_of(scene.mesh);
+  cloud.noise = args.noise * benchmarks::size_of(shape, scene.mesh, scene.feature);
+  cloud.spacing = benchmarks::spacing(area, count);
+  cloud.resolution = benchmarks::resolution(scene.feature, area, count);
   simulation::ScanOptions options;
   options.points = count;
   options.order =
