@@ -7,12 +7,12 @@
 //
 // All contestants see the same cloud, take turns within one process, and the best of their runs counts.
 //   limpet             the model, sets and finish
-//   floor              what no incremental planar model can do without, on limpet's final model: per point
-//   one
-//                      query of an R-tree of boxes fattened by λ, one exact containment in the polygon of the
-//                      nearest plane, one addition to its moments
-//   cgal, true         CGAL's region growing (12 nearest, or a sphere of about 15) with the true normals, a
-//   gift cgal, estimated    the same with normals estimated from the 12 nearest points, that cost included
+//   floor              what no incremental planar model can do without, on limpet's final model: per point a
+//                      query of an R-tree of boxes fattened by λ, an exact containment in the polygon of
+//                      the nearest plane, an addition to its moments
+//   cgal, true         CGAL's region growing (12 nearest, or a sphere of about 15) with the true normals
+//   cgal, estimated    the same with normals estimated from the 12 nearest points, that cost included
+//
 // λ = max(feature/20, 2.2·√(area/points)). Memory is what a contestant's run adds to the process at its peak.
 #include <malloc.h>
 #include <sys/resource.h>
