@@ -21,7 +21,7 @@ bench:
 	tools/install_packages.sh bench
 	cmake --preset bench
 	cmake --build --preset bench -j $(JOBS) --target limpet_bench
-	build/bench/benchmarks/limpet_bench report --out out/bench $(if $(FULL),--full) \
+	build/bench/benchmarks/limpet_bench report --out out/bench $(if $(FULL),--full) $(if $(PARTS),--parts $(PARTS)) \
 	  --commit "$$(git describe --always --dirty)"
 	gnuplot -e "folder='out/bench'" benchmarks/plots.gp
 	@echo "out/bench/report.md, with its tables as CSV and its pictures"

@@ -1,6 +1,4 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <optional>
-
 #include <limpet/simulation/judgement.hpp>
 #include <limpet/simulation/planar_face.hpp>
 
@@ -17,7 +15,7 @@ double read_through(const std::string& path, Take take) {
   std::vector<model::SensorPoint> points;
   double reading = 0;
   for (;;) {
-    const Stopwatch watch;
+    const CpuWatch watch;
     points.clear();
     for (const auto& p : reader.next(256 * kSet)) points.push_back(p.point);
     reading += watch.seconds();
@@ -39,7 +37,7 @@ void judge(const ScanCase& scan_case, const std::string& path, const model::Mode
   Floor floor(record);
   double floor_seconds = 0;
   read_through(path, [&](std::span<const model::SensorPoint> points) {
-    const Stopwatch watch;
+    const CpuWatch watch;
     floor.add(points);
     floor_seconds += watch.seconds();
   });
@@ -68,29 +66,28 @@ Json answer_limpet(const Json& request) {
   const ScanCase scan_case(request.at("spec").get<CloudSpec>());
   const std::string path = request.at("cloud");
   const double before = resident_megabytes();
-  std::optional<model::Model> model(scan_case.parameters());
+  model::Model model(scan_case.parameters());
   const bool by_stage = request.value("stages", false);
-  if (by_stage) model->measure_stages();
+  if (by_stage) model.measure_stages();
 
   double seconds = 0;
   const double reading = read_through(path, [&](std::span<const model::SensorPoint> points) {
-    const Stopwatch watch;
+    const CpuWatch watch;
     for (std::size_t i = 0; i < points.size(); i += kSet)
-      model->update(points.subspan(i, std::min(kSet, points.size() - i)));
+      model.update(points.subspan(i, std::min(kSet, points.size() - i)));
     seconds += watch.seconds();
   });
-  const Json stages = stages_of(model->stage_times());
-  const Stopwatch watch;
-  model->finish();
+  const Json stages = stages_of(model.stage_times());
+  const CpuWatch watch;
+  const WallWatch wall_watch;
+  model.finish();
   const double finishing = watch.seconds();
-  Json answer{{"points", model->counts().points},
-              {"seconds", seconds + finishing},
-              {"finish_seconds", finishing},
-              {"reading_seconds", reading},
-              {"megabytes", peak_megabytes() - before}};
-  if (by_stage) answer["stages"] = stages, answer["finish_stages"] = stages_of(model->stage_times());
+  Json answer{{"points", model.counts().points}, {"seconds", seconds + finishing},
+              {"finish_seconds", finishing},     {"finish_wall_seconds", wall_watch.seconds()},
+              {"reading_seconds", reading},      {"megabytes", peak_megabytes() - before}};
+  if (by_stage) answer["stages"] = stages;
 
-  const auto record = model->record();
+  const auto record = model.record();
   std::int64_t in_planes = 0;
   for (const auto& s : record.polygon_segments) in_planes += s.moments.count;
   answer["planes"] = record.polygon_segments.size();

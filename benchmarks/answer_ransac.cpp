@@ -40,7 +40,7 @@ Json answer_ransac(const Json& request) {
   const std::string path = request.at("cloud");
   OrientedPoints points = read_oriented(scan_case, path);
   CGAL::get_default_random() = CGAL::Random(1);
-  const Stopwatch watch;
+  const CpuWatch watch;
   if (request.value("estimate", false)) estimate_normals(points);
   Ransac ransac;
   ransac.set_input(points);

@@ -35,7 +35,7 @@ Json answer_region_growing(const Json& request) {
   const double before = resident_megabytes();
   const std::string path = request.at("cloud");
   OrientedPoints points = read_oriented(scan_case, path);
-  const Stopwatch watch;
+  const CpuWatch watch;
   if (request.value("estimate", false)) estimate_normals(points);
   const Regions regions = request.value("sphere", false)
                               ? grow(scan_case, points, SphereQuery(points, scan_case.spacing))

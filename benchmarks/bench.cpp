@@ -131,8 +131,10 @@ void add_report(CLI::App& app, Arguments& args) {
   auto* c = app.add_subcommand("report", "All of these");
   c->add_option("--out", args.report.folder)->required();
   c->add_option("--commit", args.report.commit, "as it is to be named in the report");
-  c->add_flag("--full", args.report.full,
-              "10^8 points, cities up to 1000 boxes, 10^6-point peers in both orders");
+  c->add_flag("--full", args.report.full, "10^8 points, cities of up to 1000 boxes, more runs; hours");
+  c->add_option("--parts", args.report.parts)
+      ->delimiter(',')
+      ->check(CLI::IsMember({"latency", "streams", "sizes", "throughput"}));
   c->callback([&args] { write_report(args.report, args.limits); });
 }
 
@@ -141,7 +143,7 @@ int run(int argc, char** argv) {
   CLI::App app{"Measures how fast points are modelled, in how much memory, and how late"};
   app.require_subcommand(1);
   app.fallthrough();
-  app.add_option("--limit", args.limits.seconds, "seconds for one process");
+  app.add_option("--limit", args.limits.peer_seconds, "seconds for one process of a peer");
   app.add_option("--scratch", args.limits.scratch, "folder for clouds, 56 bytes a point");
   add_throughput(app, args);
   add_streams(app, args);

@@ -9,14 +9,14 @@
 #include "process.hpp"
 
 /// Those who find planes in the same cloud, each in a process of its own. All answer with "points", "seconds"
-/// (without reading the file), "megabytes" (what the process has grown by at its peak), "planes", "in_planes"
-/// (points), "faces_counted" and "faces_right".
+/// (of processor time, without reading the file), "megabytes" (what the process has grown by at its peak),
+/// "planes", "in_planes" (points), "faces_counted" and "faces_right".
 namespace limpet::benchmarks {
 
 /// Streams the cloud through a model in sets of 26. Also answers with "reading_seconds" and "finish_seconds";
-/// with "stages" in the request, with seconds by stage; with "judge", with what the floor takes on the final
-/// model ("floor_seconds"), and a face is right when judge_faces() finds it represented by one polygon with
-/// as many holes.
+/// with "stages" in the request, with seconds by stage before finishing, on the wall clock; with "judge",
+/// with what the floor takes on the final model ("floor_seconds"), and a face is right when judge_faces()
+/// finds it represented by one polygon with as many holes.
 Json answer_limpet(const Json& request);
 
 /// CGAL's region growing and Efficient RANSAC. A face is right by its points (faces_right_by_points()).

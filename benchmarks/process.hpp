@@ -19,19 +19,24 @@ Json ask_process(const Json& request, double limit_seconds);
 double peak_megabytes();
 double resident_megabytes();
 
-class Stopwatch {
+/// Time that passes.
+class WallWatch {
  public:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  /// seconds(), and starts anew.
-  double lap() {
-    const double s = seconds();
-    start_ = Clock::now();
-    return s;
-  }
 
  private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now();
+};
+
+/// Time that this process's one thread computes, whatever else the machine does.
+class CpuWatch {
+ public:
+  double seconds() const { return now() - start_; }
+
+ private:
+  static double now();
+  double start_ = now();
 };
 
 }  // namespace limpet::benchmarks

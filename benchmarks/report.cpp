@@ -4,6 +4,8 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <stdexcept>
 #include <thread>
 
@@ -24,42 +26,57 @@ std::string today() {
   return text;
 }
 
+/// Parts are kept in files of their own, so that one can be measured anew; report.md is all of them.
 class Report {
  public:
   explicit Report(const ReportOptions& options) : folder_(options.folder) {
     std::filesystem::create_directories(folder_);
-    text_ = "# limpet, measured\n\nCommit " + options.commit + ", " + today() + ", " + processor() + ", " +
-            std::to_string(std::thread::hardware_concurrency()) + " cores, g++ " __VERSION__ "." +
-            (options.full ? " The full report." : "") + " What the figures mean: docs/benchmarks.md.\n";
+    where_ = "*Commit " + options.commit + ", " + today() + ", " + processor() + ", " +
+             std::to_string(std::thread::hardware_concurrency()) + " cores, g++ " __VERSION__ + ".*";
   }
 
   void add(const std::string& title, const std::string& said, const Table& table, const std::string& name) {
-    text_ += "\n## " + title + "\n\n" + said + "\n\n" + table.markdown();
     table.write_csv(folder_ + "/" + name + ".csv");
-    std::ofstream file(folder_ + "/report.md");
-    file << text_;
-    if (!file.flush()) throw std::runtime_error("cannot write " + folder_ + "/report.md");
+    write(name + ".md", "## " + title + "\n\n" + said + " " + where_ + "\n\n" + table.markdown());
+    std::string all = "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n";
+    for (const char* part : {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency"}) {
+      std::ifstream file(folder_ + "/" + part + ".md");
+      if (file) all += "\n" + std::string(std::istreambuf_iterator<char>(file), {});
+    }
+    write("report.md", all);
   }
 
  private:
-  std::string folder_, text_;
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream file(folder_ + "/" + name);
+    if (!(file << text).flush()) throw std::runtime_error("cannot write " + folder_ + "/" + name);
+  }
+
+  std::string folder_, where_;
 };
 
 void add_throughput(const ReportOptions& options, const Limits& limits, Report& report) {
+  // At 10⁵ points a smaller city, and no room, so that λ stays well below what is to be seen.
+  struct Entry {
+    const char* shape;
+    std::int64_t points;
+    double noise_ratio = 0.002;
+  };
+  constexpr double kFineNoise = 0.0005;  // σ ≤ λ/10
+  constexpr std::int64_t kMany = 1'000'000;
   ThroughputTables tables;
-  for (const std::int64_t points : {100'000, 1'000'000})
-    for (const char* shape : {"cube", "step_hole", "city:100", "room"})
-      for (const char* order : {"shuffled", "raster"}) {
-        if (shape == std::string("room") && points < 1'000'000) continue;  // too few for its small faces
-        ThroughputOptions throughput;
-        // The peers hardly mind the order; it is their time that the report takes.
-        if (!options.full && order == std::string("raster")) throughput.contestants = {"limpet"};
-        if (options.full) throughput.peer_runs = 3;
-        // σ ≤ λ/10, for all shapes.
-        const double noise_ratio = shape == std::string("step_hole") ? 0.0005 : 0.002;
-        measure_throughput({.shape = shape, .order = order, .points = points, .noise_ratio = noise_ratio},
-                           throughput, limits, tables);
-      }
+  for (const Entry& e :
+       {Entry{"cube", 100'000}, Entry{"step_hole", 100'000, kFineNoise}, Entry{"city:20", 100'000},
+        Entry{"cube", kMany}, Entry{"step_hole", kMany, kFineNoise}, Entry{"city:100", kMany},
+        Entry{"room", kMany}})
+    for (const char* order : {"shuffled", "raster"}) {
+      ThroughputOptions throughput;
+      if (e.points == kMany && !options.full) throughput.runs = 1;
+      // The order hardly matters to the peers, and it is their time that the report takes.
+      if (order == std::string("raster") && !options.full) throughput.contestants = {"limpet"};
+      measure_throughput({.shape = e.shape, .order = order, .points = e.points, .noise_ratio = e.noise_ratio},
+                         throughput, limits, tables);
+    }
   report.add("Throughput", "Planes found in the same cloud, each contestant in a process of its own.",
              tables.contestants, "throughput");
   report.add("Where the time goes", "Nanoseconds per point of limpet, by stage.", tables.stages, "stages");
@@ -99,12 +116,13 @@ void add_latency(const ReportOptions& options, const Limits& limits, Report& rep
 }  // namespace
 
 void write_report(const ReportOptions& options, Limits limits) {
-  if (options.full) limits.seconds = std::max(limits.seconds, 1200.0);
+  if (options.full) limits.peer_seconds = std::max(limits.peer_seconds, 1800.0);
   Report report(options);
-  add_latency(options, limits, report);
-  add_streams(options, limits, report);
-  add_sizes(options, limits, report);
-  add_throughput(options, limits, report);
+  const std::map<std::string, decltype(&add_latency)> parts{{"latency", add_latency},
+                                                            {"streams", add_streams},
+                                                            {"sizes", add_sizes},
+                                                            {"throughput", add_throughput}};
+  for (const std::string& name : options.parts) parts.at(name)(options, limits, report);
 }
 
 }  // namespace limpet::benchmarks

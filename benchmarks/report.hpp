@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sections.hpp"
 
@@ -10,11 +11,12 @@ namespace limpet::benchmarks {
 struct ReportOptions {
   std::string folder;  ///< made if need be
   std::string commit = "unknown";
-  bool full = false;  ///< up to 10⁸ points and 5,001 faces: about an hour instead of a quarter
+  bool full = false;  ///< up to 10⁸ points and 5,001 faces
+  std::vector<std::string> parts{"latency", "streams", "sizes", "throughput"};
 };
 
-/// All sections; report.md and a CSV for each table in the folder, rewritten after each section so that a run
-/// that is stopped leaves what it had.
+/// Measures the parts; leaves report.md and, for each table, a .csv and a .md in the folder. Parts that are
+/// not measured stay in report.md as they are.
 void write_report(const ReportOptions&, Limits);
 
 }  // namespace limpet::benchmarks

@@ -12,7 +12,8 @@
 namespace limpet::benchmarks {
 
 struct Limits {
-  double seconds = 120;          ///< for one process; beyond that it is ended and noted
+  double peer_seconds = 60;      ///< for a process of a peer; beyond that it is ended and noted
+  double own_seconds = 3600;     ///< for any other process
   std::string scratch = "/tmp";  ///< folder for clouds (56 bytes a point)
 };
 

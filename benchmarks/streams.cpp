@@ -35,10 +35,10 @@ Json answer_stream(const Json& request) {
   buffer.reserve(kSetsAtOnce * kSet);
   double seconds = 0, seconds_at_last = 0;
   std::int64_t points = 0, points_at_last = 0, mark = request.at("first_mark");
-  const Stopwatch all;
+  const CpuWatch all;
   Json marks = Json::array();
   const auto update = [&] {
-    const Stopwatch watch;
+    const CpuWatch watch;
     for (std::size_t i = 0; i < buffer.size(); i += kSet)
       model.update(std::span(buffer).subspan(i, std::min(kSet, buffer.size() - i)));
     seconds += watch.seconds();
@@ -61,7 +61,7 @@ Json answer_stream(const Json& request) {
     if (buffer.size() == kSetsAtOnce * kSet || here == mark || here == scan_case.spec.points) update();
   });
   const double other = all.seconds() - seconds;
-  const Stopwatch watch;
+  const CpuWatch watch;
   model.finish();
   return {{"marks", marks},
           {"generation_ns_per_point", 1e9 * other / static_cast<double>(points)},
@@ -86,7 +86,7 @@ Table measure_streams(const std::vector<StreamOptions>& streams, const Limits& l
   for (const auto& s : streams) {
     std::fprintf(stderr, "stream of %ld points, %s\n", s.spec.points, s.spec.shape.c_str());
     const Json answer =
-        ask_process({{"what", "stream"}, {"spec", s.spec}, {"first_mark", s.first_mark}}, limits.seconds);
+        ask_process({{"what", "stream"}, {"spec", s.spec}, {"first_mark", s.first_mark}}, limits.own_seconds);
     if (answer.contains("failed")) {
       table.add({s.spec.shape, {}, {}, s.spec.points, {}, {}, {}, {}, {}, answer["failed"]});
       continue;

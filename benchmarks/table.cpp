@@ -21,7 +21,7 @@ std::string grouped(std::string digits) {
 std::string number_text(double number, int digits) {
   const int before = number == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(number)))) + 1;
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", std::max(0, digits - std::max(before, 1)), number);
+  std::snprintf(text.data(), text.size(), "%.*f", std::clamp(digits - before, 0, 6), number);
   return text.data();
 }
 
