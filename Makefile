@@ -23,7 +23,8 @@ bench:
 	cmake --build --preset bench -j $(JOBS) --target limpet_bench
 	build/bench/benchmarks/limpet_bench report --out out/bench $(if $(FULL),--full) $(if $(PARTS),--parts $(PARTS)) \
 	  --commit "$$(git describe --always --dirty)"
-	gnuplot -e "folder='out/bench'" benchmarks/plots.gp
+	for picture in streams sizes; do [ ! -f out/bench/$$picture.csv ] || \
+	  gnuplot -e "folder='out/bench'" benchmarks/plots/$$picture.gp; done
 	@echo "out/bench/report.md, with its tables as CSV and its pictures"
 
 # HEAD against BASE, on the same scans in turn.
