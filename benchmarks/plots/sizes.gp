@@ -4,22 +4,19 @@
 load 'benchmarks/plots/style.gp'
 file = folder.'/sizes.csv'
 by(name, order) = strcol('contestant') eq name && strcol('order') eq order ? column('true_faces') : NaN
-set terminal pngcairo size 1000,420 font 'sans,10'
+set terminal pngcairo size 1000,460 font 'sans,10'
 set output folder.'/sizes.png'
 set multiplot layout 1,2
-set logscale x
+set logscale xy
+set format y '%g'
+set xrange [5:*]
 set xlabel 'true faces'
-set yrange [0:*]
-set offsets graph 0, 0, graph 0.2, 0
-set key top left Left reverse
+set key outside bottom center horizontal maxcols 2 Left reverse
 set title 'Time per point, µs'
 plot file using (by('limpet', 'shuffled')):(column('ns_per_point') / 1000) title 'limpet, shuffled' lc rgb blue pt 7, \
      file using (by('limpet', 'raster')):(column('ns_per_point') / 1000) title 'limpet, raster' lc rgb blue dt 2 pt 6, \
      file using (by('region_growing', 'shuffled')):(column('ns_per_point') / 1000) title 'region growing, shuffled' lc rgb grey pt 5, \
      file using (by('region_growing', 'raster')):(column('ns_per_point') / 1000) title 'region growing, raster' lc rgb grey dt 2 pt 4
-set logscale y
-set yrange [*:*]
-set format y '%g'
 set title 'Peak memory, MB'
 plot file using (by('limpet', 'shuffled')):'megabytes' title 'limpet, shuffled' lc rgb blue pt 7, \
      file using (by('limpet', 'raster')):'megabytes' title 'limpet, raster' lc rgb blue dt 2 pt 6, \
