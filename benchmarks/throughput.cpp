@@ -2,9 +2,8 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
+#include <cstdlib>
 #include <map>
-#include <optional>
 #include <stdexcept>
 
 #include "contestants.hpp"
@@ -25,27 +24,26 @@ const std::map<std::string, Json>& requests() {
   return all;
 }
 
-/// A cloud's file, for as long as it is needed.
+/// A cloud for the processes to read: a file without a name, so that nothing is left of it whatever happens.
 class CloudFile {
  public:
-  CloudFile(const CloudSpec& spec, const Limits& limits)
-      : path_(limits.scratch + "/limpet_bench_" + std::to_string(::getpid()) + ".cloud") {
-    answer_ = ask_process({{"what", "cloud"}, {"spec", spec}, {"cloud", path_}}, 600);
-    if (answer_.contains("failed"))
-      throw std::runtime_error("no cloud of " + spec.shape + ": " + answer_["failed"].get<std::string>());
+  CloudFile(const CloudSpec& spec, const Limits& limits) {
+    std::string name = limits.scratch + "/limpet_bench_XXXXXX";
+    descriptor_ = ::mkstemp(name.data());
+    if (descriptor_ < 0) throw std::runtime_error("cannot write in " + limits.scratch);
+    ::unlink(name.c_str());
+    answer_ = ask_process({{"what", "cloud"}, {"spec", spec}, {"cloud", path()}}, limits.own_seconds);
   }
-  ~CloudFile() {
-    std::error_code error;
-    std::filesystem::remove(path_, error);
-  }
+  ~CloudFile() { ::close(descriptor_); }
   CloudFile(const CloudFile&) = delete;
   CloudFile& operator=(const CloudFile&) = delete;
 
-  const std::string& path() const { return path_; }
+  /// As the processes see it, which inherit it.
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
   const Json& answer() const { return answer_; }
 
  private:
-  std::string path_;
+  int descriptor_;
   Json answer_;
 };
 
@@ -143,6 +141,8 @@ void measure_throughput(const CloudSpec& spec, const ThroughputOptions& options,
                         ThroughputTables& tables) {
   std::fprintf(stderr, "%s, %ld points, %s: cloud", spec.shape.c_str(), spec.points, spec.order.c_str());
   const CloudFile cloud(spec, limits);
+  if (cloud.answer().contains("failed"))
+    throw std::runtime_error("no cloud: " + cloud.answer()["failed"].get<std::string>());
   std::map<std::string, Json> best;
   Json staged;
   const auto ask = [&](Json request) {
