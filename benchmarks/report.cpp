@@ -35,9 +35,11 @@ class Report {
              std::to_string(std::thread::hardware_concurrency()) + " cores, g++ " __VERSION__ + ".*";
   }
 
-  void add(const std::string& title, const std::string& said, const Table& table, const std::string& name) {
+  void add(const std::string& title, const std::string& said, const Table& table, const std::string& name,
+           bool has_picture = false) {
     table.write_csv(folder_ + "/" + name + ".csv");
-    write(name + ".md", "## " + title + "\n\n" + said + " " + where_ + "\n\n" + table.markdown());
+    write(name + ".md", "## " + title + "\n\n" + said + " " + where_ + "\n\n" + table.markdown() +
+                            (has_picture ? "\n![" + title + "](" + name + ".png)\n" : ""));
     std::string all = "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n";
     for (const char* part : {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency"}) {
       std::ifstream file(folder_ + "/" + part + ".md");
@@ -76,10 +78,11 @@ void add_throughput(const ReportOptions& options, const Limits& limits, Report& 
       if (order == std::string("raster") && !options.full) throughput.contestants = {"limpet"};
       measure_throughput({.shape = e.shape, .order = order, .points = e.points, .noise_ratio = e.noise_ratio},
                          throughput, limits, tables);
+      report.add("Throughput", "Planes found in the same cloud, each contestant in a process of its own.",
+                 tables.contestants, "throughput");
+      report.add("Where the time goes", "Nanoseconds per point of limpet, by stage.", tables.stages,
+                 "stages");
     }
-  report.add("Throughput", "Planes found in the same cloud, each contestant in a process of its own.",
-             tables.contestants, "throughput");
-  report.add("Where the time goes", "Nanoseconds per point of limpet, by stage.", tables.stages, "stages");
 }
 
 void add_streams(const ReportOptions& options, const Limits& limits, Report& report) {
@@ -88,7 +91,7 @@ void add_streams(const ReportOptions& options, const Limits& limits, Report& rep
       "Against the length of the stream",
       "Points made on the fly, 1 % outliers, the same λ all along; memory is the peak so far.",
       measure_streams({stream_of("cube", points, 100'000), stream_of("city:100", points, 1'000'000)}, limits),
-      "streams");
+      "streams", true);
 }
 
 void add_sizes(const ReportOptions& options, const Limits& limits, Report& report) {
@@ -99,7 +102,7 @@ void add_sizes(const ReportOptions& options, const Limits& limits, Report& repor
   if (options.full) sizes.boxes = {1, 3, 10, 30, 100, 300, 1000};
   const ThroughputTables tables = measure_sizes(sizes, limits);
   report.add("Against the size of the model", "Cities of n boxes, about 1,000 points for each face.",
-             tables.contestants, "sizes");
+             tables.contestants, "sizes", true);
   if (!tables.stages.empty())
     report.add("Where the time goes in larger models", "Nanoseconds per point of limpet, by stage.",
                tables.stages, "sizes_stages");
