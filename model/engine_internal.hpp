@@ -17,6 +17,7 @@
 
 #include "places_internal.hpp"
 #include "series_internal.hpp"
+#include "stage_clock_internal.hpp"
 
 /// The state behind a Model and the operations of chapter 2 on it, one file each. Nothing here is installed.
 namespace limpet::model::internal {
@@ -100,6 +101,7 @@ struct Engine {
   std::unordered_map<std::uint64_t, std::uint64_t> label_goes_to;  ///< merged segments
 
   std::vector<std::uint32_t> found;  ///< scratch of queries
+  StageClock stage_clock;
 
   Eigen::Vector3d world(const GridPoint& p) const {
     return step *

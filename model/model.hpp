@@ -10,6 +10,7 @@
 #include <limpet/model/record.hpp>
 #include <limpet/model/rules.hpp>
 #include <limpet/model/sensor_point.hpp>
+#include <limpet/model/stage_times.hpp>
 
 namespace limpet::model {
 
@@ -76,6 +77,11 @@ class Model {
   void keep_labels();
   /// For each point since keep_labels() the segment it is in now; 0 when it expired or was no point.
   std::vector<SegmentId> labels() const;
+
+  /// From now on measure where time goes (a few nanoseconds a point); the model stays the same.
+  void measure_stages();
+  /// Since measure_stages(); all zero without it.
+  StageTimes stage_times() const;
 
  private:
   struct State;
