@@ -111,7 +111,7 @@ class Gaps {
 class Run {
  public:
   explicit Run(const ModelArguments& args)
-      : args_(args), scan_(args.scan, {args.viewpoint, {}}), stages_(args.stages) {}
+      : args_(args), scan_(args.scan, {args.viewpoint, {}, {}}), stages_(args.stages) {}
 
   int go() {
     require_points(scan_, args_);
