@@ -76,7 +76,8 @@ void add_model(CLI::App& root, Command& chosen) {
                 [args](double length) { args->tolerance = length; });
   app.add_option("--set-size", args->set_size, "Sensor points in a set (default 26)")
       ->check(CLI::Range(1, 1'000'000));
-  text_option(app, "--viewpoint", "X,Y,Z", "Where the sensor stood, for scans without axes and normals",
+  text_option(app, "--viewpoint", "X,Y,Z",
+              "Where the sensor stood, for scans without axes and normals (default: by neighbours)",
               [args](const std::string& text) { args->viewpoint = parse_vector("--viewpoint", text); });
   text_option(app, "--rules", "RULES", "Update rules: limpet, thesis, names to keep, or -names to leave out",
               [args](const std::string& text) {
