@@ -66,6 +66,10 @@ void for_each_around(const SurfaceVoxels& voxels, const VoxelKey& key, int reach
   }
 }
 
+bool touch(const VoxelKey& a, const VoxelKey& b) {
+  return std::abs(a[0] - b[0]) <= 1 && std::abs(a[1] - b[1]) <= 1 && std::abs(a[2] - b[2]) <= 1;
+}
+
 /// The mean of n·direction over the voxels of a component that lie farthest that way.
 double facing(const std::vector<int>& members, const SurfaceVoxels& voxels,
               const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& direction) {
@@ -126,23 +130,35 @@ void Orientation::turn(const std::vector<int>& component) {
 }
 
 void Orientation::find_creases() {
-  near_crease_.assign(static_cast<std::size_t>(voxels_.size()), false);
+  creases_.assign(static_cast<std::size_t>(voxels_.size()), {});
   for (int i = 0; i < voxels_.size(); ++i) {
+    bool is_crease = !voxels_.patch(i).flat;
     for_each_around(voxels_, voxels_.key(i), 1, [&](int j) {
-      if (!voxels_.patch(j).flat || normals_[j].dot(normals_[i]) < kSmooth) near_crease_[i] = true;
+      is_crease |= !voxels_.patch(j).flat || normals_[j].dot(normals_[i]) < kSmooth;
     });
+    if (!is_crease) continue;
+    Crease& crease = creases_[i];
+    crease.begin = static_cast<std::int64_t>(planes_.size());
+    for_each_around(voxels_, voxels_.key(i), 1, [&](int j) {
+      if (voxels_.patch(j).flat) planes_.push_back(j);
+    });
+    crease.near_end = static_cast<std::int64_t>(planes_.size());
+    for_each_around(voxels_, voxels_.key(i), 2, [&](int j) {
+      if (voxels_.patch(j).flat && !touch(voxels_.key(i), voxels_.key(j))) planes_.push_back(j);
+    });
+    crease.end = static_cast<std::int64_t>(planes_.size());
   }
 }
 
-/// The flat voxel around whose plane the point lies nearest to, of those unlike a direction; -1: none.
-int Orientation::nearest_plane(const Eigen::Vector3d& point, int own, int reach,
+int Orientation::nearest_plane(const Eigen::Vector3d& point, std::int64_t begin, std::int64_t end,
                                const Eigen::Vector3d& unlike) const {
   std::pair<double, int> best = {std::numeric_limits<double>::infinity(), -1};
-  for_each_around(voxels_, voxels_.key(own), reach, [&](int voxel) {
-    if (!voxels_.patch(voxel).flat || normals_[voxel].dot(unlike) > kSmooth) return;
+  for (std::int64_t i = begin; i < end; ++i) {
+    const int voxel = planes_[static_cast<std::size_t>(i)];
+    if (normals_[voxel].dot(unlike) > kSmooth) continue;
     const double distance = (point - voxels_.patch(voxel).centroid).norm() / voxels_.edge();
     best = std::min(best, {off_plane(point, voxel) + 0.1 * distance, voxel});
-  });
+  }
   return best.second;
 }
 
@@ -154,16 +170,18 @@ double Orientation::off_plane(const Eigen::Vector3d& point, int voxel) const {
 Eigen::Vector3d Orientation::normal_at(const Eigen::Vector3d& point) const {
   const int own = voxels_.find_point(point);
   if (own < 0) return Eigen::Vector3d::UnitZ();
-  if (!near_crease_[own]) return normals_[own];
+  const Crease& crease = creases_[own];
+  if (!crease.is_one()) return normals_[own];
   // Of the planes around, the one the point lies on; where it lies on two, between them.
-  int reach = 1, first = nearest_plane(point, own, reach, Eigen::Vector3d::Zero());
+  std::int64_t end = crease.near_end;
+  int first = nearest_plane(point, crease.begin, end, Eigen::Vector3d::Zero());
   if (first < 0 || off_plane(point, first) > kOnPlane) {
-    reach = 2;
-    first = nearest_plane(point, own, reach, Eigen::Vector3d::Zero());
+    end = crease.end;
+    first = nearest_plane(point, crease.begin, end, Eigen::Vector3d::Zero());
   }
   if (first < 0) return normals_[own].isZero() ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : normals_[own];
   const Eigen::Vector3d& normal = normals_[first];
-  const int second = nearest_plane(point, own, reach, normal);
+  const int second = nearest_plane(point, crease.begin, end, normal);
   if (second < 0 || off_plane(point, second) > kOnPlane) return normal;
   const Eigen::Vector3d between = normal + normals_[second];
   return between.norm() > 0.1 ? Eigen::Vector3d(between.normalized()) : normal;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <limpet/app/surface_voxels.hpp>
 #include <vector>
 
@@ -42,16 +43,27 @@ class Orientation {
   int components() const { return components_; }
 
  private:
+  /// Where not all around a voxel is of its own surface: the flat voxels that touch it, begin to near_end in
+  /// planes_, and those one farther off, near_end to end.
+  struct Crease {
+    std::int64_t begin = -1, near_end = -1, end = -1;
+    bool is_one() const { return begin >= 0; }
+  };
+
   /// Turns a component outward as a whole.
   void turn(const std::vector<int>& component);
   void find_creases();
   Eigen::Vector3d normal_at(const Eigen::Vector3d& point) const;
-  int nearest_plane(const Eigen::Vector3d& point, int own, int reach, const Eigen::Vector3d& unlike) const;
+  /// The voxel among some of planes_ on whose plane the point lies best, of those unlike a direction; -1:
+  /// none.
+  int nearest_plane(const Eigen::Vector3d& point, std::int64_t begin, std::int64_t end,
+                    const Eigen::Vector3d& unlike) const;
   double off_plane(const Eigen::Vector3d& point, int voxel) const;
 
   SurfaceVoxels voxels_;
   std::vector<Eigen::Vector3d> normals_;  ///< by voxel, outward; zero: not known
-  std::vector<char> near_crease_;         ///< by voxel: not all around is of its own surface
+  std::vector<Crease> creases_;           ///< by voxel
+  std::vector<int> planes_;
   int components_ = 0;
 };
 
