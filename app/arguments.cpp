@@ -66,6 +66,27 @@ NoiseArgument parse_noise(const std::string& option, const std::string& text) {
   return noise;
 }
 
+std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::string& option,
+                                                                const std::string& text) {
+  std::vector<std::pair<std::int64_t, std::int64_t>> ranges;
+  std::string_view rest = text;
+  for (;;) {
+    const auto comma = rest.find(',');
+    const std::string_view part = rest.substr(0, comma);
+    const auto dots = part.find("..");
+    std::int64_t first = 0, last = 0;
+    const bool good = io::parse_integer(part.substr(0, dots), first) &&
+                      io::parse_integer(dots == part.npos ? part : part.substr(dots + 2), last);
+    if (!good || last < first) {
+      throw UsageError(option + " '" + text + "': give whole numbers or ranges, as in " + option +
+                       " 0..9,255");
+    }
+    ranges.emplace_back(first, last);
+    if (comma == rest.npos) return ranges;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
 std::string short_text(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", number);

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace limpet::app {
 
@@ -24,6 +27,10 @@ struct NoiseArgument {
   double per_range = 0;  ///< b
 };
 NoiseArgument parse_noise(const std::string& option, const std::string& text);
+
+/// "0", "-1,0" or "0..9,255": whole numbers and ranges of them, both ends in. Throws UsageError.
+std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::string& option,
+                                                                const std::string& text);
 
 /// A number for people: up to four digits.
 std::string short_text(double number);
