@@ -18,10 +18,12 @@ Eigen::Vector3d parse_vector(const std::string& option, const std::string& text)
 /// A length that must be positive (or, with `zero`, not negative) and finite. Throws UsageError.
 double parse_length(const std::string& option, const std::string& text, bool zero);
 
-/// "a" or "a,b": the standard deviation of a reading is a + b · range.
+/// "a", "a,b" or "a,b,c": the standard deviation of a reading is a + b · range + c · range².
 struct NoiseArgument {
   double fixed = 0;      ///< a, scan's unit
-  double per_range = 0;  ///< b
+  double per_range = 0;   ///< b
+  double per_range2 = 0;  ///< c, in one over the scan's unit
+  bool varies() const { return per_range > 0 || per_range2 > 0; }
 };
 NoiseArgument parse_noise(const std::string& option, const std::string& text);
 

@@ -52,22 +52,28 @@ void require_points(PointStream& scan, const ModelArguments& args) {
   }
 }
 
+void set_noise(model::Parameters& parameters, const NoiseArgument& noise) {
+  parameters.noise = noise.fixed;
+  parameters.noise_per_range = noise.per_range;
+  parameters.noise_per_range2 = noise.per_range2;
+}
+
 /// λ and noise as given, or else from the scan, which is then said.
 model::Parameters choose_parameters(const ModelArguments& args, PointStream& scan, std::int64_t& points) {
   model::Parameters parameters;
   parameters.angle_rad = args.angle_deg * M_PI / 180;
-  parameters.tolerance = args.tolerance;
   parameters.rules = args.rules;
   points = scan.promised();
   if (args.resolution && args.noise) {
     parameters.resolution = *args.resolution;
-    parameters.noise = *args.noise;
+    set_noise(parameters, *args.noise);
+    parameters.tolerance = args.tolerance.value_or(parameters.resolution / 5);
     return parameters;
   }
   const std::int64_t most = scan.is_standard_input() ? kLookAheadStream : kLookAheadFile;
   const Estimate found = estimate([&](const Take& take) { scan.look_ahead(most, take); });
   if (found.points < most) points = found.points;
-  parameters.noise = args.noise.value_or(found.noise);
+  set_noise(parameters, args.noise.value_or(NoiseArgument{found.noise, 0, 0}));
   if (args.resolution) {
     parameters.resolution = *args.resolution;
   } else if (found.area_per_point > 0) {
@@ -76,6 +82,7 @@ model::Parameters choose_parameters(const ModelArguments& args, PointStream& sca
     throw io::InputError(args.scan,
                          "too few points lie on a surface to choose a resolution; give --resolution");
   }
+  parameters.tolerance = args.tolerance.value_or(parameters.resolution / 5);
   if (!args.quiet) {
     std::string text;
     if (!args.resolution) text += " resolution " + short_text(parameters.resolution);

@@ -67,6 +67,7 @@ bool ScanColumns::make(const Row& row, ScanRecord& record) const {
   Eigen::Vector3d& a = record.point.axis;
   p = {row[kX], row[kY], row[kZ]};
   if (!p.allFinite()) return false;
+  record.point.range = 0;
   record.has_axis = axis_source_ != AxisSource::kNone;
   switch (axis_source_) {
     case AxisSource::kNone:
@@ -80,6 +81,7 @@ bool ScanColumns::make(const Row& row, ScanRecord& record) const {
       break;
     case AxisSource::kViewpoint:
       a = p - viewpoint_;
+      record.point.range = std::sqrt(a.dot(a));
       break;
   }
   if (record.has_axis && !normalise(a)) return false;
