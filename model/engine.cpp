@@ -72,6 +72,12 @@ Segment& create_point_segment(Engine& e, const RawPoint& raw) {
   return s;
 }
 
+bool may_be_young(const Engine& e, std::int64_t count, const Fit& fit) {
+  if (count <= kYoung || count > kMostYoung) return count <= kYoung;
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  return 12 * std::sqrt(fit.u1 * fit.u2) < kYoungArea * lambda2;  // a rectangle with these variances
+}
+
 void erase_segment(Engine& e, Segment& s) {
   const std::uint32_t slot = s.slot;
   if (!s.indexed.isEmpty()) e.index.remove(s.indexed, slot);

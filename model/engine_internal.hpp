@@ -23,8 +23,10 @@
 /// The state behind a Model and the operations of chapter 2 on it, one file each. Nothing here is installed.
 namespace limpet::model::internal {
 
-/// Young segments keep their sensor points up to this many.
-inline constexpr std::int64_t kYoung = 64;
+/// Young segments keep their sensor points: up to this many, and, where points lie densely, up to kMostYoung
+/// of them while they span less than kYoungArea (λ²), which is what so many span where they do not.
+inline constexpr std::int64_t kYoung = 64, kMostYoung = 512;
+inline constexpr double kYoungArea = 12;
 /// A sensor point goes through at most this many dissolved segments.
 inline constexpr int kMaxReturns = 4;
 
@@ -166,6 +168,9 @@ PointMerger merge_point_segments(Engine&, Segment& into, Segment& from);
 /// segment and the young ones around it that lie in one plane with it may know it together. Whether the seed
 /// is a polygon now.
 bool promote_patch(Engine&, Segment& seed);
+
+/// May a segment with so many points, spread as the fit says, still be young?
+bool may_be_young(const Engine&, std::int64_t count, const Fit&);
 
 // promotion.cpp: when a segment is a polygon
 /// Is the normal known well enough to be a polygon's? `raw` are all the points behind the fit, or none.

@@ -111,7 +111,7 @@ bool merge_point_into_polygon(Engine& e, Segment& polygon, const RawPoint& raw, 
     polygon.raw.push_back(raw);
     if (raw.since < 0) polygon.raw.back().since = e.counts.points;
     polygon.since_sum += static_cast<double>(polygon.raw.back().since);
-    if (polygon.moments.count() > kYoung) mature(e, polygon);
+    if (!may_be_young(e, polygon.moments.count(), polygon.fit)) mature(e, polygon);
   } else {
     add_to_relief(e, *polygon.polygon, e.world(raw.at), 1);
   }
@@ -124,7 +124,8 @@ bool merge_segment_into_polygon(Engine& e, Segment& polygon, Segment& point, con
   if (!merged_fit_accepted(e, polygon, point.moments, point.axis_sum) || !extend_perimeter(e, polygon, st))
     return false;
   const bool young =
-      polygon.young() && point.young() && polygon.moments.count() + point.moments.count() <= kYoung;
+      polygon.young() && point.young() &&
+      may_be_young(e, polygon.moments.count() + point.moments.count(), polygon.fit);
   polygon.moments.add(point.moments);
   e.modelled_points += point.moments.count();
   polygon.axis_sum += point.axis_sum;

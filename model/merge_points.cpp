@@ -70,7 +70,7 @@ PointMerger merge_point_segments(Engine& e, Segment& into, Segment& from) {
   auto part = polygon ? diamond_part(e, fit) : nullptr;
   if (!part && !small) return PointMerger::refused;
 
-  const bool young = into.young() && from.young() && moments.count() <= kYoung;
+  const bool young = into.young() && from.young() && may_be_young(e, moments.count(), fit);
   into.moments = moments;
   into.axis_sum = axis_sum;
   into.fit = fit;

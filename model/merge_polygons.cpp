@@ -117,7 +117,9 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   removed.insert(removed.end(), lost.begin(), lost.end());
 
   const SegmentId old_a = a.id, old_b = b.id;
-  const bool young = a.young() && b.young() && a.moments.count() + b.moments.count() <= kYoung;
+  a.moments.add(b.moments);
+  const bool young = a.young() && b.young() &&
+                     may_be_young(e, a.moments.count(), fit_to(a.moments, e.step, -a.fit.normal));
   if (young) {
     a.raw.insert(a.raw.end(), b.raw.begin(), b.raw.end());
   } else {
@@ -125,7 +127,6 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
     add_to_relief(e, part, b);
     a.raw = {};
   }
-  a.moments.add(b.moments);
   e.modelled_points += b.moments.count();  // which go when b does
   a.axis_sum += b.axis_sum;
   a.since_sum += b.since_sum;
