@@ -73,6 +73,15 @@ std::string short_text(double number) {
   return text;
 }
 
+std::string short_text(const NoiseArgument& noise) {
+  std::string text = short_text(noise.fixed);
+  if (noise.varies()) text += "," + short_text(noise.per_range);
+  if (noise.per_range2 > 0) text += "," + short_text(noise.per_range2);
+  return text;
+}
+
+double short_number(double number) { return to_number(short_text(number)).value_or(number); }
+
 void require_writable(const std::string& path) {
   namespace fs = std::filesystem;
   if (path.empty()) throw io::OutputError("the name of an output file is empty");

@@ -23,12 +23,18 @@ struct NoiseArgument {
   double fixed = 0;      ///< a, scan's unit
   double per_range = 0;   ///< b
   double per_range2 = 0;  ///< c, in one over the scan's unit
+  /// Standard deviation of a reading from this far.
+  double at(double range) const { return fixed + (per_range + per_range2 * range) * range; }
   bool varies() const { return per_range > 0 || per_range2 > 0; }
 };
 NoiseArgument parse_noise(const std::string& option, const std::string& text);
 
 /// A number for people: up to four digits.
 std::string short_text(double number);
+/// As it would be typed: "a", "a,b" or "a,b,c".
+std::string short_text(const NoiseArgument& noise);
+/// To the four digits that short_text prints, so that what was printed can be typed.
+double short_number(double number);
 
 /// Refuses, before any work is done, an output whose folder does not exist or cannot be written to.
 /// Throws io::OutputError.
