@@ -57,33 +57,42 @@ void require_points(PointStream& scan, const ModelArguments& args) {
                        "too few points lie on a surface to choose a resolution; give --resolution");
 }
 
-/// λ and noise as given, or else from the scan, which is then said.
+void set_noise(model::Parameters& parameters, const NoiseArgument& noise) {
+  parameters.noise = noise.fixed;
+  parameters.noise_per_range = noise.per_range;
+  parameters.noise_per_range2 = noise.per_range2;
+}
+
+NoiseArgument rounded(const NoiseArgument& noise) {
+  return {short_number(noise.fixed), short_number(noise.per_range), short_number(noise.per_range2)};
+}
+
+/// λ, noise and tolerance as given, or else from the scan, which is then said.
 model::Parameters choose_parameters(const ModelArguments& args, PointStream& scan, std::int64_t& points) {
   model::Parameters parameters;
   parameters.angle_rad = args.angle_deg * M_PI / 180;
-  parameters.tolerance = args.tolerance;
   parameters.rules = args.rules;
   points = scan.promised();
-  if (args.resolution && args.noise) {
-    parameters.resolution = *args.resolution;
-    parameters.noise = *args.noise;
-    return parameters;
+  Estimate found;
+  const bool ranges_matter = !args.tolerance && args.noise && args.noise->varies();
+  if (!args.resolution || !args.noise || ranges_matter) {
+    const std::int64_t most = scan.is_standard_input() ? kLookAheadStream : kLookAheadFile;
+    found = estimate([&](const Take& take) { scan.look_ahead(most, take); });
+    if (found.points < most) points = found.points;
   }
-  const std::int64_t most = scan.is_standard_input() ? kLookAheadStream : kLookAheadFile;
-  const Estimate found = estimate([&](const Take& take) { scan.look_ahead(most, take); });
-  if (found.points < most) points = found.points;
-  parameters.noise = args.noise.value_or(found.noise);
-  if (args.resolution) {
-    parameters.resolution = *args.resolution;
-  } else if (found.area_per_point > 0) {
-    parameters.resolution = suitable_resolution(found, parameters.noise);
-  } else {
-    refuse_few_points(args, scan);
-  }
-  if (!args.quiet) {
+  const NoiseArgument noise = args.noise ? *args.noise : rounded(found.noise);
+  set_noise(parameters, noise);
+  if (!args.resolution && !(found.area_per_point > 0)) refuse_few_points(args, scan);
+  parameters.resolution =
+      args.resolution ? *args.resolution : short_number(suitable_resolution(found, noise));
+  parameters.tolerance = args.tolerance
+                             ? *args.tolerance
+                             : short_number(suitable_tolerance(found, noise, parameters.resolution));
+  if (!args.quiet && (!args.resolution || !args.noise)) {
     std::string text;
-    if (!args.resolution) text += " resolution " + short_text(parameters.resolution);
-    if (!args.noise) text += (text.empty() ? " noise " : ", noise ") + short_text(parameters.noise);
+    if (!args.resolution) text += " --resolution " + short_text(parameters.resolution);
+    if (!args.noise) text += " --noise " + short_text(noise);
+    if (!args.tolerance) text += " --tolerance " + short_text(parameters.tolerance);
     std::fprintf(for_people(args), "chosen from the scan:%s\n", text.c_str());
   }
   return parameters;
@@ -94,7 +103,7 @@ void orient(PointStream& scan, const ModelArguments& args, double resolution) {
   if (scan.first()->has_axis) return;
   const std::int64_t most = scan.is_standard_input() ? kLookAheadStream : kLookAheadFile;
   const Estimate found = estimate([&](const Take& take) { scan.look_ahead(most, take); });
-  scan.orient(Orientation::suitable_edge(found.area_per_point, found.noise, resolution));
+  scan.orient(Orientation::suitable_edge(found.area_per_point, found.noise.at(found.far_range), resolution));
   const int pieces = scan.orientation()->components();
   std::fprintf(
       stderr,
@@ -138,6 +147,7 @@ class Run {
     std::int64_t total = -1;
     const model::Parameters parameters = choose_parameters(args_, scan_, total);
     orient(scan_, args_, parameters.resolution);
+    noise_ = {parameters.noise, parameters.noise_per_range, parameters.noise_per_range2};
     model::Model model = make_model(parameters);
     if (!args_.labels.empty()) model.keep_labels();
     read_all(model, total);
@@ -240,7 +250,7 @@ class Run {
     std::fprintf(stderr,
                  "limpet: warning: %.1f points per square of the resolution %.4g are too few for surfaces to "
                  "link up; --resolution %.3g would do\n",
-                 density, summary.resolution, suitable_resolution(found, summary.noise));
+                 density, summary.resolution, suitable_resolution(found, noise_));
   }
 
   const ModelArguments& args_;
@@ -248,6 +258,7 @@ class Run {
   Stages stages_;
   Sample sample_;
   Gaps gaps_;
+  NoiseArgument noise_;
   std::int64_t given_ = 0;  ///< points handed to the model
   std::int64_t sets_ = 0, violations_ = 0;
   double seconds_ = 0, judging_ = 0;

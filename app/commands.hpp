@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limpet/app/arguments.hpp>
 #include <limpet/model/rules.hpp>
 #include <optional>
 #include <string>
@@ -25,8 +26,8 @@ struct ModelArguments {
   std::vector<std::string> models;   ///< where to write the model; the format by extension
   std::optional<double> resolution;  ///< scan's unit; chosen from the scan when not given
   double angle_deg = 10;
-  std::optional<double> noise;  ///< scan's unit; chosen from the scan when not given
-  double tolerance = 0;         ///< scan's unit; 0: by noise
+  std::optional<NoiseArgument> noise;  ///< chosen from the scan when not given
+  std::optional<double> tolerance;     ///< scan's unit; by noise and resolution when not given
   std::int64_t set_size = 26;
   std::optional<Eigen::Vector3d> viewpoint;
   model::Rules rules;

@@ -3,6 +3,7 @@
 // The surface's area per point and the noise, from the neighbours of some points of the scan. Both are taken
 // at the smallest scale at which the neighbourhood looks like a surface: below the noise a scan is a cloud.
 #include <limpet/app/estimate.hpp>
+#include <limpet/app/noise_law.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -40,7 +41,8 @@ struct Neighbourhood {
 /// What a neighbourhood says when it is flat.
 struct Patch {
   double area_per_point = 0;
-  double noise = 0;
+  double noise = 0;  ///< −1: not known
+  double range = 0;
 };
 
 struct Principal {
@@ -58,6 +60,25 @@ Principal principal(const std::vector<model::SensorPoint>& points) {
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   return {solver.eigenvalues().cwiseMax(0), solver.eigenvectors().col(0)};
+}
+
+/// Where depths are rounded (a depth camera's are, to steps that grow with the range) a neighbourhood of few
+/// steps looks flatter than readings are exact, and one of a single step says nothing. −1: not known.
+double noise_of(const Neighbourhood& around, const Eigen::Vector3d& axis, double apparent) {
+  Eigen::Index depth = 0;  // the coordinate that looks along the axis, as in the sensor's own frame
+  const double slant = axis.cwiseAbs().maxCoeff(&depth);
+  std::vector<double> depths;
+  for (const auto& p : around.points) depths.push_back(p.position[depth]);
+  std::sort(depths.begin(), depths.end());
+  double step = std::numeric_limits<double>::infinity();
+  std::size_t distinct = 1;
+  for (std::size_t i = 1; i < depths.size(); ++i) {
+    if (depths[i] == depths[i - 1]) continue;
+    ++distinct;
+    step = std::min(step, depths[i] - depths[i - 1]);
+  }
+  if (3 * distinct > depths.size()) return apparent;
+  return distinct > 1 ? std::max(apparent, step / slant / std::sqrt(12.0)) : -1;
 }
 
 std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis) {
@@ -79,7 +100,7 @@ std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis)
   if (cosine < 0.2) return std::nullopt;
   // The centre is one of the points: of the others there are m - 1 in the disc.
   const double others = static_cast<double>(around.points.size() - 1) * around.weight;
-  return Patch{M_PI * around.radius * around.radius / others, thickness / cosine};
+  return Patch{M_PI * around.radius * around.radius / others, noise_of(around, axis, thickness / cosine)};
 }
 
 /// The sample as a tree, for neighbourhoods of any number of points.
@@ -111,20 +132,6 @@ class Coarse {
   PointTree tree_;
 };
 
-double quantile(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-/// The median, unless half the neighbourhoods cross edges of the surface: then what the flat ones say.
-double typical_noise(const std::vector<double>& noises) {
-  const double low = 1.2 * quantile(noises, 0.2);  // 1.2: the median over the lower fifth's end, 13 degrees
-  const double middle = quantile(noises, 0.5);
-  return middle > 1.5 * low ? low : middle;
-}
-
 /// Sorted, without the extremes: they are outliers'.
 std::vector<double> trimmed(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -154,10 +161,11 @@ double sparse(const std::vector<double>& ascending) {
 Patch first_flat(const std::vector<Neighbourhood>& fine, const Coarse& coarse,
                  const model::SensorPoint& centre) {
   for (const Neighbourhood& around : fine) {
-    if (const auto patch = patch_of(around, centre.axis)) return *patch;
+    if (auto patch = patch_of(around, centre.axis)) return patch->range = centre.range, *patch;
   }
   for (int count = kNeighbours; count <= 64 * kNeighbours; count *= 4) {
-    if (const auto patch = patch_of(coarse.nearest(centre, count), centre.axis)) return *patch;
+    if (auto patch = patch_of(coarse.nearest(centre, count), centre.axis))
+      return patch->range = centre.range, *patch;
   }
   return {};
 }
@@ -171,19 +179,24 @@ std::vector<std::size_t> centres_of(const Sample& sample) {
 }
 
 Estimate summarise(const Sample& sample, const std::vector<Patch>& patches) {
-  std::vector<double> areas, noises;
-  for (const Patch& patch : patches) {
-    if (!(patch.area_per_point > 0)) continue;
-    areas.push_back(patch.area_per_point);
-    noises.push_back(patch.noise);
-  }
-  areas = trimmed(std::move(areas));
-  Estimate result{mean(areas), sparse(areas), typical_noise(noises), sample.count()};
+  std::vector<double> areas, ranges;
+  std::vector<NoiseAt> noises;
   // What is left of exact readings is the rounding of their coordinates.
   double largest = 0;
   for (const auto& p : sample.points()) largest = std::max(largest, p.position.cwiseAbs().maxCoeff());
-  if (result.noise < 1e-12 * largest) result.noise = 0;
-  return result;
+  for (const Patch& patch : patches) {
+    if (!(patch.area_per_point > 0)) continue;
+    areas.push_back(patch.area_per_point);
+    if (patch.noise >= 0) noises.push_back({patch.range, patch.noise < 1e-12 * largest ? 0 : patch.noise});
+  }
+  for (const auto& p : sample.points()) ranges.push_back(p.range);
+  areas = trimmed(std::move(areas));
+  return {mean(areas),
+          sparse(areas),
+          noise_law(std::move(noises)),
+          quantile(ranges, 0.05),
+          quantile(ranges, 0.95),
+          sample.count()};
 }
 
 }  // namespace
@@ -244,10 +257,14 @@ Estimate estimate(const std::function<void(const Take&)>& pass) {
   return summarise(sample, patches);
 }
 
-double suitable_resolution(const Estimate& estimate, double noise) {
+double suitable_resolution(const Estimate& estimate, const NoiseArgument& noise) {
   const double usual = 2.2 * std::sqrt(estimate.area_per_point);
   const double wide = std::min(std::sqrt(3 * estimate.sparse_area), 4 * usual / 3);
-  return std::max({usual, wide, 10 * noise});
+  return std::max({usual, wide, 10 * noise.at(estimate.near_range), 5 * noise.at(estimate.far_range)});
+}
+
+double suitable_tolerance(const Estimate& estimate, const NoiseArgument& noise, double resolution) {
+  return std::max(3 * noise.at(estimate.far_range), resolution / 5);
 }
 
 }  // namespace limpet::app

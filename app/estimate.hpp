@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limpet/app/arguments.hpp>
 #include <limpet/model/sensor_point.hpp>
 #include <limpet/simulation/random.hpp>
 #include <vector>
@@ -31,7 +32,9 @@ class Sample {
 struct Estimate {
   double area_per_point = 0;  ///< of the surface, the square of the scan's unit; the mean over the surface
   double sparse_area = 0;     ///< the same where the scan is sparse: on 95 % of the surface it is less
-  double noise = 0;           ///< standard deviation of a reading along its axis, scan's unit
+  NoiseArgument noise;        ///< standard deviation of a reading along its axis
+  double near_range = 0;      ///< exceeded by 95 % of the points, scan's unit; 0: not known
+  double far_range = 0;       ///< exceeded by 5 %
   std::int64_t points = 0;    ///< that were looked at
 };
 
@@ -44,7 +47,11 @@ Estimate estimate(const std::function<void(const Take&)>& pass);
 Estimate estimate(const Sample& sample);
 
 /// λ that suits the scan: about five points per λ², or, within a third more, three where the scan is sparse;
-/// and ten times the noise at least.
-double suitable_resolution(const Estimate& estimate, double noise);
+/// and at least ten times the noise where that is least, five times where it is greatest: nothing narrower
+/// tells a plane's normal.
+double suitable_resolution(const Estimate& estimate, const NoiseArgument& noise);
+
+/// How far from its plane a surface may be: three times the noise where it is greatest, or λ/5.
+double suitable_tolerance(const Estimate& estimate, const NoiseArgument& noise, double resolution);
 
 }  // namespace limpet::app

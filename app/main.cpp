@@ -62,18 +62,13 @@ void add_model(CLI::App& root, Command& chosen) {
                 args->angle_deg = parse_length("--angle", text, false);
                 if (args->angle_deg >= 90) throw UsageError("--angle " + text + ": must be less than 90");
               });
-  text_option(app, "--noise", "A[,B]",
-              "Standard deviation of a reading along its axis (default: by the scan)",
-              [args](const std::string& text) {
-                const NoiseArgument noise = parse_noise("--noise", text);
-                if (noise.per_range > 0) {
-                  throw UsageError("--noise " + text +
-                                   ": noise that grows with range is not supported yet; give one number");
-                }
-                args->noise = noise.fixed;
-              });
-  length_option(app, "--tolerance", "How far from its plane a surface may be (default: by the noise)", true,
-                [args](double length) { args->tolerance = length; });
+  text_option(app, "--noise", "A[,B[,C]]",
+              "Standard deviation of a reading along its axis: A + B range + C range² (default: by the scan)",
+              [args](const std::string& text) { args->noise = parse_noise("--noise", text); });
+  length_option(app, "--tolerance",
+                "How far from its plane a surface may be (default: the larger of three times the noise and a "
+                "fifth of the resolution)",
+                true, [args](double length) { args->tolerance = length; });
   app.add_option("--set-size", args->set_size, "Sensor points in a set (default 26)")
       ->check(CLI::Range(1, 1'000'000));
   text_option(app, "--viewpoint", "X,Y,Z",

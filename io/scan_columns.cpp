@@ -93,6 +93,7 @@ bool ScanColumns::make(const Row& row, ScanRecord& record) const {
   Eigen::Vector3d& a = record.point.axis;
   p = {row[kX], row[kY], row[kZ]};
   if (!p.allFinite()) return false;
+  record.point.range = 0;
   record.has_axis = axis_source_ != AxisSource::kNone;
   switch (axis_source_) {
     case AxisSource::kNone:
@@ -106,6 +107,7 @@ bool ScanColumns::make(const Row& row, ScanRecord& record) const {
       break;
     case AxisSource::kViewpoint:
       a = p - viewpoint_;
+      record.point.range = std::sqrt(a.dot(a));
       break;
   }
   if (record.has_axis && !normalise(a)) return false;

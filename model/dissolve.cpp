@@ -28,7 +28,8 @@ bool fits(const Engine& e, const RawPoint& raw, const Segment& polygon) {
   const Eigen::Vector3d p = e.world(raw.at);
   if (!polygon.indexed.contains(p)) return false;
   const double h = polygon.fit.height_of(p);
-  return h * h <= residual_limit(e, polygon, p) && standing(e, polygon, p, raw.axis, h * h).near;
+  return h * h <= residual_limit(e, polygon, p, raw.variance) &&
+         standing(e, polygon, p, raw.axis, h * h, raw.variance).near;
 }
 
 /// Does a point of the young segment that lies within λ of where the polygon has changed fit it now?

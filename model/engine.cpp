@@ -20,12 +20,15 @@ Engine::Engine(const Parameters& p) : parameters(p) {
   require(finite(p.angle_rad) && p.angle_rad > 0 && p.angle_rad < 1.5707,
           "the angular resolution must lie between 0 and 90 degrees");
   require(finite(p.noise) && p.noise >= 0, "the noise must be a length of 0 or more");
+  require(finite(p.noise_per_range) && p.noise_per_range >= 0 && finite(p.noise_per_range2) &&
+              p.noise_per_range2 >= 0,
+          "what the noise grows by with the range must be 0 or more");
   require(finite(p.tolerance) && p.tolerance >= 0, "the tolerance must be a length of 0 or more");
   require(finite(p.input_quantum) && p.input_quantum >= 0, "the input quantum must be a length of 0 or more");
   require(p.resolution > 1e-150 && p.resolution < 1e150, "the linear resolution is out of range");
   index = SpatialIndex(2.6 * p.resolution);  // point segments' boxes are 2.5 λ wide
   step = geometry::grid_step_for(p.resolution);
-  variance = p.noise * p.noise + step * step + p.input_quantum * p.input_quantum;
+  rounding = step * step + p.input_quantum * p.input_quantum;
   gap = p.resolution / step;
   cos_angle = cosine(p.angle_rad);
   sin_angle = std::sqrt(1 - cos_angle * cos_angle);
@@ -55,6 +58,7 @@ Segment& create_point_segment(Engine& e, const RawPoint& raw) {
   s.slot = slot;
   s.moments = Moments(raw.at);
   s.axis_sum = raw.axis;
+  s.variance_sum = raw.variance;
   s.raw = {raw};
   if (raw.since < 0) s.raw.front().since = e.counts.points;
   s.since_sum = static_cast<double>(s.raw.front().since);
@@ -66,6 +70,12 @@ Segment& create_point_segment(Engine& e, const RawPoint& raw) {
   mark_modified(e, s);
   e.changes.push_back({Change::Kind::created, {}, {}, s.id, {}});
   return s;
+}
+
+bool may_be_young(const Engine& e, std::int64_t count, const Fit& fit) {
+  if (count <= kYoung || count > kMostYoung) return count <= kYoung;
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  return 12 * std::sqrt(fit.u1 * fit.u2) < kYoungArea * lambda2;  // a rectangle with these variances
 }
 
 void erase_segment(Engine& e, Segment& s) {

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <memory>
@@ -16,20 +17,24 @@
 #include <limpet/model/spatial_index.hpp>
 
 #include "places_internal.hpp"
+#include "relief_internal.hpp"
 #include "series_internal.hpp"
 #include "stage_clock_internal.hpp"
 
 /// The state behind a Model and the operations of chapter 2 on it, one file each. Nothing here is installed.
 namespace limpet::model::internal {
 
-/// Young segments keep their sensor points up to this many.
-inline constexpr std::int64_t kYoung = 64;
+/// Young segments keep their sensor points: up to this many, and, where points lie densely, up to kMostYoung
+/// of them while they span less than kYoungArea (λ²), which is what so many span where they do not.
+inline constexpr std::int64_t kYoung = 64, kMostYoung = 512;
+inline constexpr double kYoungArea = 12;
 /// A sensor point goes through at most this many dissolved segments.
 inline constexpr int kMaxReturns = 4;
 
 struct RawPoint {
   GridPoint at{};
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  double variance = 0;  ///< about its plane: noise, grid and input rounding together
   int returned = 0;
   std::int64_t since = -1;   ///< counts.points when it came; not yet: −1
   std::int64_t serial = -1;  ///< place in the labels, when they are kept
@@ -43,6 +48,7 @@ struct PolygonPart {
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();  ///< normal of the published plane
   geometry::Plane initial;                            ///< thesis §2.4.1
   Box3 box;                                           ///< of the perimeter in the world
+  Relief relief;                                      ///< none while young
   Places changed;           ///< where the description has changed since step 2 last saw it
   bool stale = false;       ///< the fit has moved on, but its plane could not be published
   double counted_area = 0;  ///< what of its area is in Engine::modelled_area, λ²
@@ -55,6 +61,7 @@ struct Segment {
   std::uint32_t slot = 0;
   Moments moments;
   Eigen::Vector3d axis_sum = Eigen::Vector3d::Zero();
+  double variance_sum = 0;  ///< of its points
   Fit fit;
   std::int64_t next_fit = 0;  ///< count at which the fit is computed anew
   std::vector<RawPoint> raw;  ///< all its points while young, else none
@@ -65,6 +72,10 @@ struct Segment {
   bool modified = false;
   std::unique_ptr<PolygonPart> polygon;  ///< none: a point segment
 
+  /// Mean variance of a point about its plane.
+  double variance() const {
+    return variance_sum / static_cast<double>(std::max<std::int64_t>(moments.count(), 1));
+  }
   bool young() const { return !raw.empty(); }
   bool mature_polygon() const { return polygon && !young(); }
 };
@@ -73,9 +84,9 @@ struct Engine {
   explicit Engine(const Parameters&);
 
   Parameters parameters;
-  double step = 0;      ///< grid step, scan's unit
-  double variance = 0;  ///< of one point about its plane: noise, grid and input rounding together
-  double gap = 0;       ///< λ in grid steps
+  double step = 0;                      ///< grid step, scan's unit
+  double rounding = 0;                  ///< variance of grid and input rounding together
+  double gap = 0;                       ///< λ in grid steps
   double sin_angle = 0, cos_angle = 0;  ///< of μ
 
   geometry::EdgeIds edge_ids;
@@ -106,6 +117,12 @@ struct Engine {
   Eigen::Vector3d world(const GridPoint& p) const {
     return step *
            Eigen::Vector3d(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
+  }
+  /// Variance of a point about its plane, sensed from `range`.
+  double variance_at(double range) const {
+    const Parameters& p = parameters;
+    const double sigma = p.noise + (p.noise_per_range + p.noise_per_range2 * range) * range;
+    return sigma * sigma + rounding;
   }
   Segment& at(std::uint32_t slot) { return *segments[slot]; }
   Segment* find(SegmentId);
@@ -155,10 +172,13 @@ PointMerger merge_point_segments(Engine&, Segment& into, Segment& from);
 /// is a polygon now.
 bool promote_patch(Engine&, Segment& seed);
 
+/// May a segment with so many points, spread as the fit says, still be young?
+bool may_be_young(const Engine&, std::int64_t count, const Fit&);
+
 // promotion.cpp: when a segment is a polygon
 /// Is the normal known well enough to be a polygon's? `raw` are all the points behind the fit, or none.
-/// `since_sum` is that of their times.
-bool promotable(const Engine&, const Fit&, const Eigen::Vector3d& axis_sum,
+/// `variance` is one point's about its plane; `since_sum` that of their times.
+bool promotable(const Engine&, const Fit&, double variance, const Eigen::Vector3d& axis_sum,
                 const std::vector<const std::vector<RawPoint>*>& raw, double since_sum);
 /// Have far fewer points come to it, while they waited, than to the rest of the scene?
 bool too_few_arrived(const Engine&, const Fit&, double since_sum);
@@ -175,13 +195,30 @@ struct Standing {
   bool outside = false;           ///< of the perimeter
   double perimeter_distance = 0;  ///< grid steps, when outside
   geometry::Point2 chart_point;
+  double residual2 = 0;  ///< from the surface as it lies there, squared
 };
-/// Largest squared residual that data of `count` points centred at p may have about the segment's plane.
-double residual_limit(const Engine&, const Segment& polygon, const Eigen::Vector3d& p);
+/// Largest squared residual that data of this variance centred at p may have about the segment's plane.
+double residual_limit(const Engine&, const Segment& polygon, const Eigen::Vector3d& p, double variance);
 Standing standing(const Engine&, const Segment& polygon, const Eigen::Vector3d& p,
-                  const Eigen::Vector3d& axis, double squared_residual);
+                  const Eigen::Vector3d& axis, double squared_residual, double variance);
 bool merge_point_into_polygon(Engine&, Segment& polygon, const RawPoint&, const Standing&);
 bool merge_segment_into_polygon(Engine&, Segment& polygon, Segment& point_segment, const Standing&);
+
+// relief.cpp
+/// Does a polygon keep its relief? Only where its points may lie farther off its plane than the noise says.
+bool relief_kept(const Engine&);
+void add_to_relief(const Engine&, PolygonPart&, const Eigen::Vector3d& p, double count);
+void add_to_relief(const Engine&, PolygonPart&, const Segment& other);
+/// After the chart has changed.
+void rechart_relief(const Engine&, PolygonPart&, const geometry::Chart& from);
+/// A point's height over the surface near it, the variance of the surface's height, and the square of what it
+/// may have bent on the way. Nothing where no relief is known.
+struct LocalResidual {
+  double height = 0, variance = 0, bend2 = 0;
+};
+std::optional<LocalResidual> local_residual(const Engine&, const Segment& polygon, const Eigen::Vector3d& p);
+/// Does the small one go on from the large one where both are known?
+bool surfaces_continue(const Engine&, const Segment& large, const Segment& small);
 
 // meeting.cpp
 /// Does `other` come within the gap of `s`, or lie inside or around it, where s has changed? Never false when

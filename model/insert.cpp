@@ -22,9 +22,9 @@ void order(const Engine& e, std::vector<Candidate>& candidates) {
 }
 
 void add_polygon(const Engine& e, Segment& s, const Eigen::Vector3d& p, const Eigen::Vector3d& axis,
-                 double residual2, std::vector<Candidate>& candidates) {
-  const Standing st = standing(e, s, p, axis, residual2);
-  if (st.near) candidates.push_back({st.distance2, s.id, &s, st});
+                 double residual2, double variance, std::vector<Candidate>& candidates) {
+  const Standing st = standing(e, s, p, axis, residual2, variance);
+  if (st.near) candidates.push_back({relief_kept(e) ? st.residual2 : st.distance2, s.id, &s, st});
 }
 
 /// Point segments within λ of s, and polygons that it fits if these are still to be tried.
@@ -41,7 +41,7 @@ void neighbours(Engine& e, Segment& s, bool polygons_tried, std::vector<Candidat
       if (d2 < lambda2) points.push_back({d2, other.id, &other, {}});
     } else if (!polygons_tried) {
       add_polygon(e, other, centroid, s.axis_sum, s.moments.squared_residual(other.fit.plane(), e.step),
-                  polygons);
+                  s.variance(), polygons);
     }
   }
   order(e, polygons);
@@ -95,7 +95,7 @@ void insert_point(Engine& e, const RawPoint& raw) {
     Segment& s = e.at(slot);
     if (!best || !s.polygon) continue;
     const double height = s.fit.height_of(p);
-    if (height * height < lambda2) add_polygon(e, s, p, raw.axis, height * height, candidates);
+    if (height * height < lambda2) add_polygon(e, s, p, raw.axis, height * height, raw.variance, candidates);
   }
   if (candidates.size() > 1) order(e, candidates);
   for (const Candidate& c : candidates)

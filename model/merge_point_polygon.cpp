@@ -12,22 +12,30 @@
 
 namespace limpet::model::internal {
 
-double residual_limit(const Engine& e, const Segment& polygon, const Eigen::Vector3d& p) {
-  const double by_noise = 9 * (e.variance + polygon.fit.height_variance(p, e.variance));
+double residual_limit(const Engine& e, const Segment& polygon, const Eigen::Vector3d& p, double variance) {
+  const double by_noise = 9 * (variance + polygon.fit.height_variance(p, polygon.variance()));
+  // A young polygon's plane is not known well enough to tell what lies off it.
+  if (e.rules().relief && polygon.young()) return by_noise;
   return std::max(by_noise, e.parameters.tolerance * e.parameters.tolerance);
 }
 
 Standing standing(const Engine& e, const Segment& s, const Eigen::Vector3d& p, const Eigen::Vector3d& axis,
-                  double squared_residual) {
+                  double squared_residual, double variance) {
   Standing result;
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   const double height = s.fit.height_of(p);
   if (height * height >= lambda2 || axis.dot(s.fit.normal) > 0) return result;
-  if (e.rules().residual && squared_residual > residual_limit(e, s, p)) return result;
+  if (e.rules().residual && squared_residual > residual_limit(e, s, p, variance)) return result;
   const PolygonPart& part = *s.polygon;
   result.chart_point = geometry::round_to_grid(part.chart.project(p));
   result.outside = part.perimeter.locate(result.chart_point) == geometry::Polygon::Side::outside;
-  result.distance2 = height * height;
+  result.distance2 = result.residual2 = height * height;
+  if (relief_kept(e) && s.mature_polygon()) {
+    if (const auto local = local_residual(e, s, p)) {
+      result.residual2 = local->height * local->height;
+      if (result.residual2 > 9 * (variance + local->variance) + local->bend2) return result;
+    }
+  }
   if (result.outside) {
     const auto nearest = geometry::nearest_perimeter_point(part.perimeter, result.chart_point, e.gap);
     if (!nearest) return result;
@@ -78,6 +86,12 @@ bool extend_perimeter(Engine& e, Segment& polygon, const Standing& st) {
   return true;
 }
 
+/// A polygon with so many points keeps them no longer one by one.
+void mature(Engine& e, Segment& polygon) {
+  for (const RawPoint& raw : polygon.raw) add_to_relief(e, *polygon.polygon, e.world(raw.at), 1);
+  polygon.raw = {};
+}
+
 void joined(Engine& e, Segment& polygon) {
   polygon.last_joined = e.counts.points;
   mark_modified(e, polygon);
@@ -92,11 +106,14 @@ bool merge_point_into_polygon(Engine& e, Segment& polygon, const RawPoint& raw, 
   polygon.moments.add(raw.at);
   ++e.modelled_points;
   polygon.axis_sum += raw.axis;
+  polygon.variance_sum += raw.variance;
   if (young) {
     polygon.raw.push_back(raw);
     if (raw.since < 0) polygon.raw.back().since = e.counts.points;
     polygon.since_sum += static_cast<double>(polygon.raw.back().since);
-    if (polygon.moments.count() > kYoung) polygon.raw = {};
+    if (!may_be_young(e, polygon.moments.count(), polygon.fit)) mature(e, polygon);
+  } else {
+    add_to_relief(e, *polygon.polygon, e.world(raw.at), 1);
   }
   set_label(e, raw, polygon.id);
   joined(e, polygon);
@@ -106,16 +123,19 @@ bool merge_point_into_polygon(Engine& e, Segment& polygon, const RawPoint& raw, 
 bool merge_segment_into_polygon(Engine& e, Segment& polygon, Segment& point, const Standing& st) {
   if (!merged_fit_accepted(e, polygon, point.moments, point.axis_sum) || !extend_perimeter(e, polygon, st))
     return false;
-  const bool young =
-      polygon.young() && point.young() && polygon.moments.count() + point.moments.count() <= kYoung;
+  const bool young = polygon.young() && point.young() &&
+                     may_be_young(e, polygon.moments.count() + point.moments.count(), polygon.fit);
   polygon.moments.add(point.moments);
   e.modelled_points += point.moments.count();
   polygon.axis_sum += point.axis_sum;
+  polygon.variance_sum += point.variance_sum;
   polygon.since_sum += point.since_sum;
-  if (young)
+  if (young) {
     polygon.raw.insert(polygon.raw.end(), point.raw.begin(), point.raw.end());
-  else
-    polygon.raw = {};
+  } else {
+    mature(e, polygon);
+    add_to_relief(e, *polygon.polygon, point);
+  }
   forward_label(e, point.id, polygon.id);
   e.changes.push_back({Change::Kind::merged, polygon.id, point.id, polygon.id, {}});
   erase_segment(e, point);

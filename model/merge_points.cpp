@@ -63,18 +63,21 @@ PointMerger merge_point_segments(Engine& e, Segment& into, Segment& from) {
   moments.add(from.moments);
   const Eigen::Vector3d axis_sum = into.axis_sum + from.axis_sum;
   const double since_sum = into.since_sum + from.since_sum;
+  const double variance_sum = into.variance_sum + from.variance_sum;
   const Fit fit = fit_to(moments, e.step, axis_sum);
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   const bool small = fit.point_variance() < lambda2;
-  const bool polygon = fit.u3 < lambda2 && promotable(e, fit, axis_sum, {&into.raw, &from.raw}, since_sum);
+  const bool polygon = fit.u3 < lambda2 && promotable(e, fit, variance_sum / fit.count, axis_sum,
+                                                      {&into.raw, &from.raw}, since_sum);
   auto part = polygon ? diamond_part(e, fit) : nullptr;
   if (!part && !small) return PointMerger::refused;
 
-  const bool young = into.young() && from.young() && moments.count() <= kYoung;
+  const bool young = into.young() && from.young() && may_be_young(e, moments.count(), fit);
   into.moments = moments;
   into.axis_sum = axis_sum;
   into.fit = fit;
   into.since_sum = since_sum;
+  into.variance_sum = variance_sum;
   if (young)
     into.raw.insert(into.raw.end(), from.raw.begin(), from.raw.end());
   else
@@ -97,7 +100,7 @@ bool promote_patch(Engine& e, Segment& seed) {
   if (std::accumulate(around.begin(), around.end(), seed.moments.count(), add_count) < kPatch) return false;
   Moments moments = seed.moments;
   Eigen::Vector3d axis_sum = seed.axis_sum;
-  double since_sum = seed.since_sum;
+  double since_sum = seed.since_sum, variance_sum = seed.variance_sum;
   std::vector<const std::vector<RawPoint>*> raw{&seed.raw};
   std::vector<Segment*> patch;
   for (Segment* s : around) {
@@ -105,20 +108,23 @@ bool promote_patch(Engine& e, Segment& seed) {
     Moments trial = moments;
     trial.add(s->moments);
     const Fit fit = fit_to(trial, e.step, axis_sum + s->axis_sum);
+    const double variance = (variance_sum + s->variance_sum) / fit.count;
     // Across an edge, or with an outlier, the points are no plane any more: that neighbour stays out.
-    if (trial.count() > 5 && fit.u3 > 4 * e.variance * (fit.count - 3) / fit.count) continue;
+    if (trial.count() > 5 && fit.u3 > 4 * variance * (fit.count - 3) / fit.count) continue;
     moments = trial;
     axis_sum += s->axis_sum;
     since_sum += s->since_sum;
+    variance_sum += s->variance_sum;
     raw.push_back(&s->raw);
     patch.push_back(s);
-    if (moments.count() < kPatch || !promotable(e, fit, axis_sum, raw, since_sum)) continue;
+    if (moments.count() < kPatch || !promotable(e, fit, variance, axis_sum, raw, since_sum)) continue;
     auto part = diamond_part(e, fit);
     if (!part) return false;
     seed.moments = moments;
     seed.axis_sum = axis_sum;
     seed.fit = fit;
     seed.since_sum = since_sum;
+    seed.variance_sum = variance_sum;
     for (Segment* joined : patch) {
       seed.raw.insert(seed.raw.end(), joined->raw.begin(), joined->raw.end());
       absorbed(e, seed, *joined);

@@ -23,7 +23,7 @@ bool planes_agree(const Engine& e, const Segment& a, const Segment& b) {
   const Segment& large = &small == &a ? b : a;
   double limit_rad = e.parameters.angle_rad;
   if (e.rules().residual) {
-    const double ea = a.fit.normal_error(e.variance), eb = b.fit.normal_error(e.variance);
+    const double ea = a.fit.normal_error(a.variance()), eb = b.fit.normal_error(b.variance());
     limit_rad = std::min(1.5, std::max(limit_rad, 3 * std::sqrt(ea * ea + eb * eb)));
   }
   const double cos_limit = limit_rad == e.parameters.angle_rad ? e.cos_angle : cosine(limit_rad);
@@ -32,10 +32,11 @@ bool planes_agree(const Engine& e, const Segment& a, const Segment& b) {
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   if (e.rules().residual) {
     const double residual2 = small.moments.squared_residual(large.fit.plane(), e.step);
-    const double by_noise = 4 * e.variance + 9 * large.fit.height_variance(small.fit.centroid, e.variance);
-    if (residual2 > std::max(by_noise, e.parameters.tolerance * e.parameters.tolerance) ||
-        residual2 >= lambda2)
-      return false;
+    const double by_noise =
+        4 * small.variance() + 9 * large.fit.height_variance(small.fit.centroid, large.variance());
+    const double tolerance2 = e.parameters.tolerance * e.parameters.tolerance;
+    if (residual2 > std::max(by_noise, tolerance2) || residual2 >= lambda2) return false;
+    if (residual2 > by_noise && relief_kept(e) && !surfaces_continue(e, large, small)) return false;
   }
   Moments merged = a.moments;
   merged.add(b.moments);
@@ -117,15 +118,20 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   removed.insert(removed.end(), lost.begin(), lost.end());
 
   const SegmentId old_a = a.id, old_b = b.id;
-  const bool young = a.young() && b.young() && a.moments.count() + b.moments.count() <= kYoung;
-  if (young)
-    a.raw.insert(a.raw.end(), b.raw.begin(), b.raw.end());
-  else
-    a.raw = {};
   a.moments.add(b.moments);
+  const bool young =
+      a.young() && b.young() && may_be_young(e, a.moments.count(), fit_to(a.moments, e.step, -a.fit.normal));
+  if (young) {
+    a.raw.insert(a.raw.end(), b.raw.begin(), b.raw.end());
+  } else {
+    for (const RawPoint& raw : a.raw) add_to_relief(e, part, e.world(raw.at), 1);
+    add_to_relief(e, part, b);
+    a.raw = {};
+  }
   e.modelled_points += b.moments.count();  // which go when b does
   a.axis_sum += b.axis_sum;
   a.since_sum += b.since_sum;
+  a.variance_sum += b.variance_sum;
   where.add(b.polygon->changed);
   erase_segment(e, b);
 

@@ -19,8 +19,10 @@ struct Parameters {
   double resolution = 0.05;                ///< λ: gaps smaller than this are not represented; > 0
   double angle_rad = 0.17453292519943295;  ///< μ: angles smaller than this are not told apart; in (0, π/2)
   double noise = 0;                        ///< standard deviation of a reading along its axis; ≥ 0
-  double input_quantum = 0;                ///< the scan's own rounding; ≥ 0
-  double tolerance = 0;  ///< how far from its plane a surface may be; 0: 3 standard deviations
+  double noise_per_range = 0;   ///< what it grows by with the range; ≥ 0, in scan's unit per scan's unit
+  double noise_per_range2 = 0;  ///< and with the square of the range, as where depth is triangulated; ≥ 0
+  double input_quantum = 0;     ///< the scan's own rounding; ≥ 0
+  double tolerance = 0;         ///< how far from its plane a surface may be; 0: 3 standard deviations
   std::int64_t outlier_patience = 1'000'000;  ///< sensor points after which a small point segment expires
   Rules rules;
 };

@@ -47,9 +47,9 @@ Fit without_levers(const Engine& e, Fit fit, const std::vector<const std::vector
   return fit;
 }
 
-bool normal_known(const Engine& e, const Fit& fit) {
-  if (fit.u2 <= 4 * e.variance) return false;
-  return std::sqrt(e.variance / (fit.count * (fit.u2 - e.variance))) < e.parameters.angle_rad / 2;
+bool normal_known(const Engine& e, const Fit& fit, double variance) {
+  if (fit.u2 <= 4 * variance) return false;
+  return std::sqrt(variance / (fit.count * (fit.u2 - variance))) < e.parameters.angle_rad / 2;
 }
 
 /// The thesis's diamond: vertices at the standard deviations along the two large axes.
@@ -79,7 +79,7 @@ bool too_few_arrived(const Engine& e, const Fit& fit, double since_sum) {
   return 30 * fit.count * e.modelled_area * points < waited * area * modelled;
 }
 
-bool promotable(const Engine& e, const Fit& fit, const Eigen::Vector3d& axis_sum,
+bool promotable(const Engine& e, const Fit& fit, double v, const Eigen::Vector3d& axis_sum,
                 const std::vector<const std::vector<RawPoint>*>& raw, double since_sum) {
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   if (!e.rules().promotion) {
@@ -87,15 +87,15 @@ bool promotable(const Engine& e, const Fit& fit, const Eigen::Vector3d& axis_sum
     return fit.count >= 3 && fit.u3 < lambda2 && fit.u2 > 1e-9 * fit.u1 && fit.u2 > 0 &&
            faces_outside(fit.normal, axis_sum);
   }
-  const double m = fit.count, v = e.variance;
-  if (m < 5 || fit.u3 > 4 * v * (m - 3) / m || !normal_known(e, fit)) return false;
+  const double m = fit.count;
+  if (m < 5 || fit.u3 > 4 * v * (m - 3) / m || !normal_known(e, fit, v)) return false;
   if (!faces_outside(fit.normal, axis_sum)) return false;
   const double cos_80 = 0.17364817766693033;
   if (-fit.normal.dot(axis_sum) < cos_80 * std::sqrt(axis_sum.dot(axis_sum))) return false;
   if (e.rules().arrival && too_few_arrived(e, fit, since_sum)) return false;
   if (!e.rules().chance) return true;
   const Fit firm = without_levers(e, fit, raw, 1);
-  return normal_known(e, firm) && !plane_by_chance(firm, v) && without_levers(e, fit, raw, 2).u2 > 4 * v;
+  return normal_known(e, firm, v) && !plane_by_chance(firm, v) && without_levers(e, fit, raw, 2).u2 > 4 * v;
 }
 
 std::unique_ptr<PolygonPart> diamond_part(Engine& e, const Fit& fit) {
@@ -114,6 +114,7 @@ void promote(Engine& e, Segment& s, std::unique_ptr<PolygonPart> new_part) {
   s.polygon = std::move(new_part);
   e.modelled_points += s.moments.count();
   PolygonPart& part = *s.polygon;
+  if (!s.young()) add_to_relief(e, part, s.fit.centroid, static_cast<double>(s.moments.count()));
   // The points are still there: the diamond is extended to them, from the middle outwards.
   std::vector<std::pair<double, geometry::Point2>> points;
   for (const RawPoint& raw : s.raw) {

@@ -49,14 +49,15 @@ double largest_shift(const geometry::Lift& a, const geometry::Lift& b, const geo
 bool rechart(Engine& e, Segment& s) {
   PolygonPart& part = *s.polygon;
   const geometry::Plane plane = s.fit.plane();
-  const geometry::Chart chart(plane, part.chart.u(), e.step);
+  geometry::Chart chart(plane, part.chart.u(), e.step);
   const geometry::Lift lift(part.chart, plane);
   auto perimeter = polygon_in(e, chart, part.chart, lift, part.perimeter);
   if (!perimeter) return false;
   // Slots are new: what was fresh is looked at again, all of it.
-  part.chart = chart;
+  std::swap(part.chart, chart);
+  rechart_relief(e, part, chart);
   part.perimeter = std::move(*perimeter);
-  part.published = geometry::Lift(chart, plane);
+  part.published = geometry::Lift(part.chart, plane);
   part.outward = plane.normal;
   part.perimeter.take_removed();
   part.fresh = part.perimeter.take_created();
@@ -75,7 +76,7 @@ void refit(Engine& e, Segment& s) {
   s.next_fit = s.moments.count() + 1 + s.moments.count() / 32;
   if (!s.polygon) return;
   PolygonPart& part = *s.polygon;
-  if (e.rules().refresh && s.fit.normal_error(e.variance) < e.parameters.angle_rad / 20 &&
+  if (e.rules().refresh && s.fit.normal_error(s.variance()) < e.parameters.angle_rad / 20 &&
       (part.initial.normal - s.fit.normal).norm() < e.parameters.angle_rad)
     part.initial = s.fit.plane();
   publish(e, s);

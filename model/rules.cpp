@@ -8,12 +8,13 @@
 namespace limpet::model {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool Rules::*>, 13> kRules = {{
+constexpr std::array<std::pair<const char*, bool Rules::*>, 14> kRules = {{
     {"promotion", &Rules::promotion},
     {"chance", &Rules::chance},
     {"patch", &Rules::patch},
     {"arrival", &Rules::arrival},
     {"residual", &Rules::residual},
+    {"relief", &Rules::relief},
     {"best", &Rules::best},
     {"dissolve", &Rules::dissolve},
     {"refresh", &Rules::refresh},

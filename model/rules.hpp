@@ -15,6 +15,7 @@ struct Rules {
   bool patch = true;     ///< neighbouring point segments in one plane become a polygon together
   bool arrival = true;   ///< nor when far fewer points came to it than to the rest of the scene
   bool residual = true;  ///< added data is judged by its own residual, not by the variance after the merger
+  bool relief = true;    ///< and, within the tolerance, by how it goes on from the surface beside it
   bool best = true;      ///< a point goes to the best segment, polygons first; not to the first in memory
   bool dissolve =
       true;  ///< young segments keep their points and are dissolved beside a mature polygon that they fit

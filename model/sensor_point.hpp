@@ -10,6 +10,7 @@ namespace limpet::model {
 struct SensorPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  double range = 0;  ///< distance from the sensor; only where the noise grows with it
 };
 
 }  // namespace limpet::model

@@ -18,6 +18,8 @@ std::optional<RawPoint> on_grid(const Engine& e, const SensorPoint& reading) {
   const double length2 = reading.axis.dot(reading.axis);
   if (!(length2 > 0) || !std::isfinite(length2)) return std::nullopt;
   raw.axis = reading.axis / std::sqrt(length2);
+  raw.variance = e.variance_at(reading.range);
+  if (!std::isfinite(raw.variance)) return std::nullopt;
   for (int i = 0; i < 3; ++i) {
     const double steps = std::floor(reading.position[i] / e.step + 0.5);
     if (!(std::abs(steps) <= static_cast<double>(kMaxSteps))) return std::nullopt;

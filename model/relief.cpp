@@ -1,0 +1,112 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// A surface may lie off its plane by the tolerance, but it does so gradually: what is added must go on from
+// what lies there already, within the noise. So a table that bends is one polygon, and a step beside it none
+// of its points.
+#include <algorithm>
+#include <cmath>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+constexpr double kFew = 6;          ///< points in a square that are not enough to tell its height
+constexpr double kBend = 1.0 / 20;  ///< slope by which a surface may leave its plane
+
+double side_of(const Engine& e) { return 2 * e.gap; }
+
+std::uint64_t key(double side, geometry::Point2 p, int dx = 0, int dy = 0) {
+  const auto column = static_cast<std::int32_t>(std::floor(p.x / side)) + dx;
+  const auto row = static_cast<std::int32_t>(std::floor(p.y / side)) + dy;
+  return std::uint64_t{static_cast<std::uint32_t>(column)} << 32 | static_cast<std::uint32_t>(row);
+}
+
+Relief::Sum seen_from(const geometry::Chart& chart, const Eigen::Vector3d& p, double count) {
+  const geometry::Point2 at = chart.project(p);
+  const double height = chart.normal().dot(p - chart.origin()) / chart.step();
+  return {count, count * at.x, count * at.y, count * height};
+}
+
+/// The segment's points in the world, as far as they are known one by one, else by squares.
+std::vector<std::pair<Eigen::Vector3d, double>> samples(const Engine& e, const Segment& s) {
+  std::vector<std::pair<Eigen::Vector3d, double>> result;
+  for (const RawPoint& raw : s.raw) result.emplace_back(e.world(raw.at), 1);
+  if (!result.empty()) return result;
+  for (const Relief::Sum& sum : s.polygon->relief.squares())
+    result.emplace_back(s.polygon->chart.at(sum.mean(), sum.mean_height()), sum.count);
+  return result;
+}
+
+}  // namespace
+
+void Relief::add(double side, const Sum& sum) { squares_[key(side, sum.mean())].add(sum); }
+
+Relief::Sum Relief::around(double side, geometry::Point2 p) const {
+  const auto own = squares_.find(key(side, p));
+  if (own != squares_.end() && own->second.count >= kFew) return own->second;
+  Sum all;
+  for (int dx = -1; dx <= 1; ++dx)
+    for (int dy = -1; dy <= 1; ++dy)
+      if (const auto found = squares_.find(key(side, p, dx, dy)); found != squares_.end())
+        all.add(found->second);
+  return all;
+}
+
+std::vector<Relief::Sum> Relief::squares() const {
+  std::vector<std::pair<std::uint64_t, Sum>> sorted(squares_.begin(), squares_.end());
+  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Sum> result;
+  for (const auto& [place, sum] : sorted) result.push_back(sum);
+  return result;
+}
+
+bool relief_kept(const Engine& e) { return e.rules().relief && e.parameters.tolerance > 0; }
+
+void add_to_relief(const Engine& e, PolygonPart& part, const Eigen::Vector3d& p, double count) {
+  if (relief_kept(e)) part.relief.add(side_of(e), seen_from(part.chart, p, count));
+}
+
+void add_to_relief(const Engine& e, PolygonPart& part, const Segment& other) {
+  if (!relief_kept(e)) return;
+  if (!other.polygon && !other.young())
+    return add_to_relief(e, part, other.fit.centroid, static_cast<double>(other.moments.count()));
+  if (!other.polygon) {
+    for (const RawPoint& raw : other.raw) add_to_relief(e, part, e.world(raw.at), 1);
+    return;
+  }
+  for (const auto& [p, count] : samples(e, other)) add_to_relief(e, part, p, count);
+}
+
+void rechart_relief(const Engine& e, PolygonPart& part, const geometry::Chart& from) {
+  Relief relief;
+  for (const Relief::Sum& sum : part.relief.squares())
+    relief.add(side_of(e), seen_from(part.chart, from.at(sum.mean(), sum.mean_height()), sum.count));
+  part.relief = std::move(relief);
+}
+
+std::optional<LocalResidual> local_residual(const Engine& e, const Segment& polygon,
+                                            const Eigen::Vector3d& p) {
+  const PolygonPart& part = *polygon.polygon;
+  const geometry::Point2 at = part.chart.project(p);
+  const Relief::Sum near = part.relief.around(side_of(e), at);
+  if (near.count == 0) return std::nullopt;
+  const geometry::Plane plane = polygon.fit.plane();
+  const double height = plane.height_of(p) - plane.height_of(part.chart.at(near.mean(), near.mean_height()));
+  const double bend2 = kBend * kBend * e.step * e.step * geometry::squared_length(near.mean() - at);
+  return LocalResidual{height, polygon.variance() / near.count, bend2};
+}
+
+bool surfaces_continue(const Engine& e, const Segment& large, const Segment& small) {
+  double count = 0, squares = 0, limit = 0;
+  for (const auto& [p, m] : samples(e, small)) {
+    const auto local = local_residual(e, large, p);
+    if (!local) continue;
+    count += m;
+    squares += m * local->height * local->height;
+    limit += m * (9 * local->variance + local->bend2 + (small.young() ? 9 : 4) * small.variance());
+  }
+  return count > 0 && squares <= limit;
+}
+
+}  // namespace limpet::model::internal
