@@ -112,7 +112,7 @@ void orient(PointStream& scan, const ModelArguments& args, double resolution) {
       "%s turned up and outward; if it was scanned from elsewhere, give --viewpoint x,y,z, where the "
       "sensor stood\n",
       scan.is_standard_input() ? "standard input" : args.scan.c_str(),
-      pieces == 1 ? "as one piece" : ("in " + grouped(pieces) + " pieces, each").c_str());
+      pieces == 1 ? "as one piece" : ("in " + grouped(pieces) + " pieces").c_str());
 }
 
 /// How many records without a point stand before which point, for --labels.
