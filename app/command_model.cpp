@@ -109,7 +109,7 @@ void orient(PointStream& scan, const ModelArguments& args, double resolution) {
   std::fprintf(
       stderr,
       "limpet: warning: %s says neither normals nor sensing axes; oriented by neighbour consistency, "
-      "%s turned up and outward; if it was scanned from elsewhere, give --viewpoint x,y,z, where the "
+      "%s, turned up and outward; if it was scanned from elsewhere, give --viewpoint x,y,z, where the "
       "sensor stood\n",
       scan.is_standard_input() ? "standard input" : args.scan.c_str(),
       pieces == 1 ? "as one piece" : ("in " + grouped(pieces) + " pieces").c_str());
