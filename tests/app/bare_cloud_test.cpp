@@ -72,6 +72,22 @@ TEST_F(BareCloud, DamageIsReportedAfterWhatWasRead) {
   }
 }
 
+/// Normals of either sign, as estimated and never oriented.
+TEST_F(BareCloud, NormalsThatAreNotOrientedCanBePassedOver) {
+  std::istringstream lines(read(bare("bare.xyz", "cube", 20'000)));
+  std::string text, line;
+  for (long i = 0; std::getline(lines, line); ++i)
+    text += line + (i % 2 == 0 ? " 0 0.6 0.8\n" : " 0 -0.6 -0.8\n");
+  auto arguments = model(write("turned.xyz", text), "m");
+  arguments.emplace_back("--orient");
+  const auto result = run(arguments);
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "") << "asked for, so no warning";
+  EXPECT_EQ(run({"compare", path("m.limpet"), "cube", "--faces", "exact", "--max-distance", "0.06"}).code, 0);
+  arguments.insert(arguments.end(), {"--viewpoint", "0,0,9"});
+  expect_refused(run(arguments), "--viewpoint");
+}
+
 TEST_F(BareCloud, NowhereToSpool) {
   const std::string cloud = bare("bare.xyz", "cube", 1000);
   expect_refused(run(model("-", "m"), {"", {{"TMPDIR", "/nonexistent"}}, cloud}), "TMPDIR");
