@@ -182,6 +182,8 @@ bool promotable(const Engine&, const Fit&, double variance, const Eigen::Vector3
                 const std::vector<const std::vector<RawPoint>*>& raw, double since_sum);
 /// Have far fewer points come to it, while they waited, than to the rest of the scene?
 bool too_few_arrived(const Engine&, const Fit&, double since_sum);
+/// The same of a point segment, which stands for about λ² of surface if it is any.
+bool points_came_too_slowly(const Engine&, const Segment& point_segment);
 /// Chart and diamond (thesis §2.4.1); nothing when that is too small for the grid.
 std::unique_ptr<PolygonPart> diamond_part(Engine&, const Fit&);
 /// Makes a point segment a polygon and extends its diamond to the points it keeps.
