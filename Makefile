@@ -4,7 +4,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 SOURCES = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: demo test build bench format format-check lint install clean packages configure
+.PHONY: demo test build bench bench-compare benchmarks format format-check lint install clean packages configure
 
 demo: configure
 	cmake --build build/$(PRESET) -j $(JOBS) --target limpet
@@ -16,7 +16,24 @@ test: build
 build: configure
 	cmake --build build/$(PRESET) -j $(JOBS)
 
+# The report of docs/benchmarks.md, in out/bench: about a quarter of an hour; FULL=1 takes hours and 1 GB of scratch.
 bench:
+	tools/install_packages.sh bench
+	cmake --preset bench
+	cmake --build --preset bench -j $(JOBS) --target limpet_bench
+	build/bench/benchmarks/limpet_bench report --out out/bench $(if $(FULL),--full) $(if $(PARTS),--parts $(PARTS)) \
+	  --commit "$$(git describe --always --dirty)"
+	for picture in streams sizes; do [ ! -f out/bench/$$picture.csv ] || \
+	  gnuplot -e "folder='out/bench'" benchmarks/plots/$$picture.gp; done
+	@echo "out/bench/report.md, with its tables as CSV and its pictures"
+
+# HEAD against BASE, on the same scans in turn.
+bench-compare:
+	tools/install_packages.sh bench
+	benchmarks/compare_commits.py $(or $(BASE),$(error BASE=<commit> is missing)) $(HEAD) --jobs $(JOBS)
+
+# All benchmarks, and the program with each build of geometry/.
+benchmarks:
 	tools/install_packages.sh bench
 	cmake --preset bench
 	cmake --build --preset bench -j $(JOBS)

@@ -59,12 +59,35 @@ double parse_length(const std::string& option, const std::string& text, bool zer
 NoiseArgument parse_noise(const std::string& option, const std::string& text) {
   auto numbers = to_numbers(text);
   if (numbers.empty() || numbers.size() > 3) {
-    throw UsageError(option + " '" + text + "': give a; or a,b for a + b times the range; or a,b,c for c times its square more");
+    throw UsageError(option + " '" + text +
+                     "': give a; or a,b for a + b times the range; or a,b,c for c times its square more");
   }
   numbers.resize(3);
   const NoiseArgument noise{numbers[0], numbers[1], numbers[2]};
-  if (noise.fixed < 0 || noise.per_range < 0 || noise.per_range2 < 0) throw UsageError(option + " " + text + ": must be 0 or more");
+  if (noise.fixed < 0 || noise.per_range < 0 || noise.per_range2 < 0)
+    throw UsageError(option + " " + text + ": must be 0 or more");
   return noise;
+}
+
+std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::string& option,
+                                                                const std::string& text) {
+  std::vector<std::pair<std::int64_t, std::int64_t>> ranges;
+  std::string_view rest = text;
+  for (;;) {
+    const auto comma = rest.find(',');
+    const std::string_view part = rest.substr(0, comma);
+    const auto dots = part.find("..");
+    std::int64_t first = 0, last = 0;
+    const bool good = io::parse_integer(part.substr(0, dots), first) &&
+                      io::parse_integer(dots == part.npos ? part : part.substr(dots + 2), last);
+    if (!good || last < first) {
+      throw UsageError(option + " '" + text + "': give whole numbers or ranges, as in " + option +
+                       " 0..9,255");
+    }
+    ranges.emplace_back(first, last);
+    if (comma == rest.npos) return ranges;
+    rest.remove_prefix(comma + 1);
+  }
 }
 
 std::string short_text(double number) {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace limpet::app {
 
@@ -20,7 +23,7 @@ double parse_length(const std::string& option, const std::string& text, bool zer
 
 /// "a", "a,b" or "a,b,c": the standard deviation of a reading is a + b · range + c · range².
 struct NoiseArgument {
-  double fixed = 0;      ///< a, scan's unit
+  double fixed = 0;       ///< a, scan's unit
   double per_range = 0;   ///< b
   double per_range2 = 0;  ///< c, in one over the scan's unit
   /// Standard deviation of a reading from this far.
@@ -28,6 +31,10 @@ struct NoiseArgument {
   bool varies() const { return per_range > 0 || per_range2 > 0; }
 };
 NoiseArgument parse_noise(const std::string& option, const std::string& text);
+
+/// "0", "-1,0" or "0..9,255": whole numbers and ranges of them, both ends in. Throws UsageError.
+std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::string& option,
+                                                                const std::string& text);
 
 /// A number for people: up to four digits.
 std::string short_text(double number);

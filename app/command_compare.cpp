@@ -53,6 +53,7 @@ void print_row(const char* name, const simulation::DistanceSummary& d) {
 }  // namespace
 
 int run(const CompareArguments& args) {
+  if (args.by_labels) return run_by_labels(args);
   refuse_folder(args.model);
   refuse_folder(args.truth);
   const Subject subject = load_subject(args.model);

@@ -40,16 +40,21 @@ std::FILE* for_people(const ModelArguments& args) { return args.json == "-" ? st
 
 void require_points(PointStream& scan, const ModelArguments& args) {
   const std::string name = scan.is_standard_input() ? "standard input" : args.scan;
-  const io::ScanRecord* first = scan.first();
-  if (first == nullptr) {
+  if (scan.first() == nullptr) {
     if (!scan.damage().empty()) throw io::InputError(scan.damage());
     const std::string none = scan.skipped() > 0 ? " (" + grouped(scan.skipped()) + " records are none)" : "";
     throw io::InputError(name, "holds no point" + none);
   }
-  if (!first->has_axis) {
-    throw io::InputError(
-        name, "says neither normals nor sensing axes; give --viewpoint x,y,z, where the sensor stood");
+}
+
+/// A damaged scan has few points because of its damage: then that is what has to be said.
+[[noreturn]] void refuse_few_points(const ModelArguments& args, PointStream& scan) {
+  model::SensorPoint point;
+  for (std::int64_t skipped = 0; scan.next(point, skipped);) {
   }
+  if (!scan.damage().empty()) throw io::InputError(scan.damage());
+  throw io::InputError(scan.is_standard_input() ? "standard input" : args.scan,
+                       "too few points lie on a surface to choose a resolution; give --resolution");
 }
 
 void set_noise(model::Parameters& parameters, const NoiseArgument& noise) {
@@ -77,10 +82,7 @@ model::Parameters choose_parameters(const ModelArguments& args, PointStream& sca
   }
   const NoiseArgument noise = args.noise ? *args.noise : rounded(found.noise);
   set_noise(parameters, noise);
-  if (!args.resolution && !(found.area_per_point > 0)) {
-    throw io::InputError(args.scan,
-                         "too few points lie on a surface to choose a resolution; give --resolution");
-  }
+  if (!args.resolution && !(found.area_per_point > 0)) refuse_few_points(args, scan);
   parameters.resolution =
       args.resolution ? *args.resolution : short_number(suitable_resolution(found, noise));
   parameters.tolerance = args.tolerance
@@ -94,6 +96,22 @@ model::Parameters choose_parameters(const ModelArguments& args, PointStream& sca
     std::fprintf(for_people(args), "chosen from the scan:%s\n", text.c_str());
   }
   return parameters;
+}
+
+/// A scan that says no axes gets them from its own shape, which can only be a guess.
+void orient(PointStream& scan, const ModelArguments& args, double resolution) {
+  if (scan.first()->has_axis) return;
+  const std::int64_t most = scan.is_standard_input() ? kLookAheadStream : kLookAheadFile;
+  const Estimate found = estimate([&](const Take& take) { scan.look_ahead(most, take); });
+  scan.orient(Orientation::suitable_edge(found.area_per_point, found.noise.at(found.far_range), resolution));
+  const int pieces = scan.orientation()->components();
+  std::fprintf(
+      stderr,
+      "limpet: warning: %s says neither normals nor sensing axes; oriented by neighbour consistency, "
+      "%s turned up and outward; if it was scanned from elsewhere, give --viewpoint x,y,z, where the "
+      "sensor stood\n",
+      scan.is_standard_input() ? "standard input" : args.scan.c_str(),
+      pieces == 1 ? "as one piece" : ("in " + grouped(pieces) + " pieces, each").c_str());
 }
 
 /// How many records without a point stand before which point, for --labels.
@@ -122,12 +140,13 @@ class Gaps {
 class Run {
  public:
   explicit Run(const ModelArguments& args)
-      : args_(args), scan_(args.scan, {args.viewpoint, {}}), stages_(args.stages) {}
+      : args_(args), scan_(args.scan, {args.viewpoint, {}, {}}), stages_(args.stages) {}
 
   int go() {
     require_points(scan_, args_);
     std::int64_t total = -1;
     const model::Parameters parameters = choose_parameters(args_, scan_, total);
+    orient(scan_, args_, parameters.resolution);
     noise_ = {parameters.noise, parameters.noise_per_range, parameters.noise_per_range2};
     model::Model model = make_model(parameters);
     if (!args_.labels.empty()) model.keep_labels();

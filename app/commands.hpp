@@ -7,6 +7,7 @@
 #include <limpet/model/rules.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The commands of the program, each in a file of its own. A command returns its exit code; it throws
@@ -61,15 +62,31 @@ struct CheckArguments {
 };
 int run(const CheckArguments&);
 
+/// A range of labels, both ends in it.
+using LabelRange = std::pair<std::int64_t, std::int64_t>;
+
+struct LabelArguments {
+  std::string column;                           ///< of a scan, that holds the true labels; empty: by its name
+  std::optional<std::vector<LabelRange>> none;  ///< true labels that stand for no region
+  std::string polygons;                         ///< a native model: labels of other segments are none
+  double overlap = 0.8;                         ///< share of a region that must agree
+  std::int64_t min_true = 1, min_found = 1;     ///< points of the smallest region that counts
+  std::optional<double> min_correct;            ///< a bound: share of the true regions that must be correct
+};
+
 struct CompareArguments {
-  std::string model;
-  std::string truth;                   ///< the name of a shape, or a mesh file
+  std::string model;                   ///< or, by labels, a list of labels
+  std::string truth;                   ///< the name of a shape, or a mesh file; by labels, a list or a scan
   std::optional<double> max_distance;  ///< both ways, scan's unit
   bool faces_exact = false;            ///< as many polygons as true faces
+  bool by_labels = false;
+  LabelArguments labels;
   std::string json;
   bool quiet = false;
 };
 int run(const CompareArguments&);
+/// `limpet compare LABELS TRUTH --labels`
+int run_by_labels(const CompareArguments&);
 
 struct DrawArguments {
   std::vector<std::string> models;

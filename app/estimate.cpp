@@ -84,10 +84,11 @@ double noise_of(const Neighbourhood& around, const Eigen::Vector3d& axis, double
 std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis) {
   constexpr std::size_t kFewest = 8;
   if (around.points.size() < kFewest || !(around.radius > 0)) return std::nullopt;
+  const bool has_axis = !axis.isZero();
   // A thin plate has a back, which was sensed from the other side.
   const Eigen::Vector3d normal = principal(around.points).thinnest;
   std::erase_if(around.points, [&](const model::SensorPoint& p) {
-    return std::signbit(p.axis.dot(normal)) != std::signbit(axis.dot(normal));
+    return has_axis && std::signbit(p.axis.dot(normal)) != std::signbit(axis.dot(normal));
   });
   if (around.points.size() < kFewest) return std::nullopt;
   const Principal found = principal(around.points);
@@ -95,12 +96,11 @@ std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis)
   // A line of points (one row of a scanner) says nothing about area, nor about a normal.
   if (thickness > kFlat * around.radius || found.variances[1] < 0.05 * found.variances[2])
     return std::nullopt;
-  const double cosine = std::abs(found.thinnest.dot(axis));
+  const double cosine = has_axis ? std::abs(found.thinnest.dot(axis)) : 1;
   if (cosine < 0.2) return std::nullopt;
   // The centre is one of the points: of the others there are m - 1 in the disc.
   const double others = static_cast<double>(around.points.size() - 1) * around.weight;
-  return Patch{M_PI * around.radius * around.radius / others,
-               noise_of(around, axis, thickness / cosine)};
+  return Patch{M_PI * around.radius * around.radius / others, noise_of(around, axis, thickness / cosine)};
 }
 
 /// The sample as a tree, for neighbourhoods of any number of points.
@@ -191,8 +191,12 @@ Estimate summarise(const Sample& sample, const std::vector<Patch>& patches) {
   }
   for (const auto& p : sample.points()) ranges.push_back(p.range);
   areas = trimmed(std::move(areas));
-  return {mean(areas),           sparse(areas),          noise_law(std::move(noises)),
-          quantile(ranges, 0.05), quantile(ranges, 0.95), sample.count()};
+  return {mean(areas),
+          sparse(areas),
+          noise_law(std::move(noises)),
+          quantile(ranges, 0.05),
+          quantile(ranges, 0.95),
+          sample.count()};
 }
 
 }  // namespace

@@ -64,14 +64,15 @@ void add_model(CLI::App& root, Command& chosen) {
               });
   text_option(app, "--noise", "A[,B[,C]]",
               "Standard deviation of a reading along its axis: A + B range + C range² (default: by the scan)",
-              [args](const std::string& text) {
-                args->noise = parse_noise("--noise", text);
-              });
-  length_option(app, "--tolerance", "How far from its plane a surface may be (default: the larger of three times the noise and a fifth of the resolution)", true,
-                [args](double length) { args->tolerance = length; });
+              [args](const std::string& text) { args->noise = parse_noise("--noise", text); });
+  length_option(app, "--tolerance",
+                "How far from its plane a surface may be (default: the larger of three times the noise and a "
+                "fifth of the resolution)",
+                true, [args](double length) { args->tolerance = length; });
   app.add_option("--set-size", args->set_size, "Sensor points in a set (default 26)")
       ->check(CLI::Range(1, 1'000'000));
-  text_option(app, "--viewpoint", "X,Y,Z", "Where the sensor stood, for scans without axes and normals",
+  text_option(app, "--viewpoint", "X,Y,Z",
+              "Where the sensor stood, for scans without axes and normals (default: by neighbours)",
               [args](const std::string& text) { args->viewpoint = parse_vector("--viewpoint", text); });
   text_option(app, "--rules", "RULES", "Update rules: limpet, thesis, names to keep, or -names to leave out",
               [args](const std::string& text) {
@@ -132,11 +133,45 @@ void add_check(CLI::App& root, Command& chosen) {
   add_quiet_and_json(app, args->quiet, &args->json);
 }
 
+/// Options of `compare` that ask for --labels.
+void add_labels(CLI::App& app, CompareArguments& args) {
+  LabelArguments& labels = args.labels;
+  const auto flag = app.add_flag("--labels", args.by_labels,
+                                 "Compare regions, point by point, by the labels of each record of the scan");
+  app.add_option("--column", labels.column, "The column of the scan TRUTH with the labels (default: by name)")
+      ->needs(flag);
+  text_option(app, "--none", "LABELS",
+              "True labels that are no region, as in 0..9,255; negative ones are none",
+              [&labels](const std::string& text) { labels.none = parse_ranges("--none", text); })
+      ->needs(flag);
+  app.add_option("--polygons", labels.polygons, "The native model: segments that are no polygons are none")
+      ->needs(flag);
+  app.add_option("--overlap", labels.overlap, "Share of a region that must agree (default 0.8)")
+      ->check(CLI::Range(0.5, 1.0))
+      ->needs(flag);
+  const CLI::Range count(std::int64_t{1}, std::int64_t{1} << 40);
+  app.add_option("--min-true", labels.min_true, "Points of the smallest true region that counts (default 1)")
+      ->check(count)
+      ->needs(flag);
+  app.add_option("--min-found", labels.min_found, "Points of the smallest found one (default 1)")
+      ->check(count)
+      ->needs(flag);
+  app.add_option("--min-correct", labels.min_correct,
+                 "Exit 1 unless this share of the true regions is correct, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(flag);
+}
+
 void add_compare(CLI::App& root, Command& chosen) {
-  auto& app = *root.add_subcommand("compare", "Distances between a model and the truth, both ways");
+  auto& app = *root.add_subcommand(
+      "compare", "Distances between a model and the truth, both ways; or, by labels, regions found and true");
   const auto args = make_command<CompareArguments>(app, chosen);
-  app.add_option("MODEL", args->model, "A model: .limpet, .off, .ply, .obj or .stl")->required();
-  app.add_option("TRUTH", args->truth, "A mesh, or the name of a shape")->required();
+  app.add_option("MODEL", args->model,
+                 "A model: .limpet, .off, .ply, .obj or .stl; with --labels, the segment of each record")
+      ->required();
+  app.add_option("TRUTH", args->truth,
+                 "A mesh, or the name of a shape; with --labels, true labels: a list, or the scan itself")
+      ->required();
   length_option(app, "--max-distance", "Exit 1 if any distance, either way, is above this", true,
                 [args](double length) { args->max_distance = length; });
   text_option(app, "--faces", "exact", "Exit 1 unless there are as many polygons as true faces",
@@ -144,6 +179,7 @@ void add_compare(CLI::App& root, Command& chosen) {
                 if (text != "exact") throw UsageError("--faces '" + text + "': give exact");
                 args->faces_exact = true;
               });
+  add_labels(app, *args);
   app.add_option("--seed", "Taken for the sake of scripts")->check(CLI::TypeValidator<std::uint64_t>());
   add_quiet_and_json(app, args->quiet, &args->json);
 }

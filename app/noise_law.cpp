@@ -46,7 +46,8 @@ struct Law {
   double misfit = 0;  ///< relative, root of the mean square
 };
 
-/// The law that has these of the three terms, least squares of the relative error; nothing if one is negative.
+/// The law that has these of the three terms, least squares of the relative error; nothing if one is
+/// negative.
 std::optional<Law> fitted(const std::vector<NoiseAt>& groups, const std::vector<int>& powers) {
   const auto rows = static_cast<Eigen::Index>(groups.size());
   Eigen::MatrixXd terms(rows, static_cast<Eigen::Index>(powers.size()));
@@ -88,8 +89,10 @@ NoiseArgument noise_law(std::vector<NoiseAt> found) {
   if (!one_number || one_number->misfit < kSame) return constant.noise;
   // Of the laws that grow, one with two terms has to be better by a fifth.
   std::optional<Law> best;
-  for (const auto& [powers, handicap] :
-       {std::pair{std::vector{1}, 1.0}, {std::vector{2}, 1.0}, {std::vector{0, 1}, 1.2}, {std::vector{0, 2}, 1.2}}) {
+  for (const auto& [powers, handicap] : {std::pair{std::vector{1}, 1.0},
+                                         {std::vector{2}, 1.0},
+                                         {std::vector{0, 1}, 1.2},
+                                         {std::vector{0, 2}, 1.2}}) {
     const auto law = fitted(groups, powers);
     if (law && (!best || handicap * law->misfit < best->misfit)) {
       best = law;

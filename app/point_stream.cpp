@@ -1,8 +1,10 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/app/point_stream.hpp>
 
+#include <limits>
 #include <limpet/app/interrupt.hpp>
 #include <limpet/io/error.hpp>
+#include <utility>
 
 namespace limpet::app {
 
@@ -10,6 +12,16 @@ PointStream::PointStream(const std::string& path, const io::ScanOptions& options
     : path_(path), options_(options), reader_(io::open_scan(path, options)) {}
 
 bool PointStream::read(Kept& kept) {
+  if (!spool_) return read_scan(kept);
+  PointSpool::Entry entry;
+  if (!spool_->read(entry)) return false;
+  kept.record = {};
+  kept.record.point.position = entry.position;
+  kept.skipped = entry.skipped;
+  return true;
+}
+
+bool PointStream::read_scan(Kept& kept) {
   if (!damage_.empty()) return false;
   try {
     if (!reader_->next(kept.record)) return false;
@@ -31,6 +43,7 @@ bool PointStream::next(model::SensorPoint& point, std::int64_t& skipped) {
     return false;
   }
   point = kept.record.point;
+  if (orientation_) point.axis = orientation_->axis(point.position);
   skipped = kept.skipped;
   return true;
 }
@@ -51,6 +64,11 @@ void PointStream::look_ahead(std::int64_t most, const std::function<void(const m
     for (const Kept& point : ahead_) take(point.record.point);
     return;
   }
+  read_again(most, take);
+}
+
+void PointStream::read_again(std::int64_t most,
+                             const std::function<void(const model::SensorPoint&)>& take) const {
   try {
     const auto again = io::open_scan(path_, options_);
     io::ScanRecord record;
@@ -58,6 +76,27 @@ void PointStream::look_ahead(std::int64_t most, const std::function<void(const m
   } catch (const io::InputError&) {
     // The points before the damage will do here; it is reported when the model comes to it.
   }
+}
+
+void PointStream::orient(double edge) {
+  auto orientation = std::make_unique<Orientation>(edge);
+  if (is_standard_input()) {
+    auto spool = std::make_unique<PointSpool>();
+    const auto keep = [&](const Kept& kept) {
+      orientation->add(kept.record.point.position);
+      spool->write({kept.record.point.position, kept.skipped});
+    };
+    for (const Kept& kept : ahead_) keep(kept);
+    ahead_.clear();
+    for (Kept kept; !interrupted() && read_scan(kept);) keep(kept);
+    spool->rewind();
+    spool_ = std::move(spool);
+  } else {
+    read_again(std::numeric_limits<std::int64_t>::max(),
+               [&](const model::SensorPoint& point) { orientation->add(point.position); });
+  }
+  orientation->solve();
+  orientation_ = std::move(orientation);
 }
 
 }  // namespace limpet::app

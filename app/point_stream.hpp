@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <limpet/app/orientation.hpp>
+#include <limpet/app/point_spool.hpp>
 #include <limpet/io/scan_reader.hpp>
 #include <memory>
 #include <string>
@@ -27,6 +29,15 @@ class PointStream {
   /// is read a second time, standard input is kept. Precondition: next() has not been called.
   void look_ahead(std::int64_t most, const std::function<void(const model::SensorPoint&)>& take);
 
+  /// For a scan without axes: goes through all of it to find them (see Orientation) and gives next()'s points
+  /// theirs. A file is read a second time, standard input is spooled to a temporary file. `edge` of a voxel,
+  /// scan's unit. Precondition: next() has not been called. Errors: io::OutputError when there is no space to
+  /// spool.
+  void orient(double edge);
+
+  /// How the axes were found; null: the scan says them.
+  const Orientation* orientation() const { return orientation_.get(); }
+
   /// Records the scan promises; -1: it does not say.
   std::int64_t promised() const { return reader_->promised(); }
   bool is_standard_input() const { return path_ == "-"; }
@@ -42,6 +53,9 @@ class PointStream {
     std::int64_t skipped;
   };
   bool read(Kept& kept);
+  bool read_scan(Kept& kept);
+  /// All points from the beginning, without moving on; not of standard input.
+  void read_again(std::int64_t most, const std::function<void(const model::SensorPoint&)>& take) const;
 
   std::string path_;
   io::ScanOptions options_;
@@ -49,6 +63,8 @@ class PointStream {
   std::deque<Kept> ahead_;
   std::int64_t skipped_seen_ = 0;
   std::string damage_;
+  std::unique_ptr<Orientation> orientation_;
+  std::unique_ptr<PointSpool> spool_;  ///< of standard input, once it is oriented
 };
 
 }  // namespace limpet::app

@@ -3,8 +3,8 @@
 // How good are the models? Simulated scans of known shapes are modelled and judged by the truth.
 //
 //     limpet_quality --shapes cube,L --points 10000,100000 --noise 0,0.002,0.005 --orders raster,shuffled
-//                    --outliers 0,0.01 --seeds 10 [--rules limpet] [--csv FILE] [--audit-every N] [--keep
-//                    DIR]
+//                    --outliers 0,0.01 --seeds 10 [--rules limpet] [--csv FILE] [--audit-every N]
+//                    [--keep DIR]
 //
 // Orders: raster (each viewpoint's rays row by row), shuffled (the same readings in random order) and sampled
 // (evenly over the surface, in random order). λ = max(feature/20, 2.2·√(area/points)); a case counts when λ ≤
@@ -29,6 +29,8 @@
 #include <limpet/simulation/scan.hpp>
 #include <limpet/simulation/scene.hpp>
 #include <limpet/simulation/shapes.hpp>
+
+#include "scan_case.hpp"
 
 namespace {
 
@@ -75,13 +77,6 @@ std::size_t count_violations(const model::ModelRecord& record, std::string& what
   return violations.size();
 }
 
-/// "0.2 % of the object's size": its largest extent, or for a field of many boxes that of one of them.
-double size_of(const simulation::Mesh& mesh, const std::string& shape, double feature) {
-  if (shape.starts_with("city") || shape.starts_with("room")) return feature;
-  const auto bounds = simulation::bounds_of(mesh);
-  return (bounds.high - bounds.low).maxCoeff();
-}
-
 simulation::NearestSurface nearest_to(const simulation::Mesh& mesh) {
   std::vector<simulation::Triangle3> triangles;
   for (const auto& face : simulation::planar_faces(mesh))
@@ -96,12 +91,10 @@ Case make_case(const Arguments& args, const std::string& name, std::int64_t poin
   Case c{thin ? "thin_plate:0.01" : name, order, points, noise_ratio, outliers};
   c.scene = simulation::make_scene(c.shape);
   if (thin) c.scene.feature = 1;
-  double area = 0;
-  for (const auto& face : simulation::faces_of(c.scene.mesh)) area += face.area;
-  c.noise = noise_ratio * size_of(c.scene.mesh, name, c.scene.feature);
+  c.noise = noise_ratio * benchmarks::size_of(name, c.scene.mesh, c.scene.feature);
   c.resolution = args.resolution > 0
                      ? args.resolution
-                     : std::max(c.scene.feature / 20, 2.2 * std::sqrt(area / static_cast<double>(points)));
+                     : benchmarks::resolution(c.scene.feature, benchmarks::area_of(c.scene.mesh), points);
   if (thin) {
     c.shape = "thin_plate:" + std::to_string(c.resolution / 2);
     c.scene.mesh = simulation::make_scene(c.shape).mesh;

@@ -1,334 +1,180 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-//
-// How fast are points modelled, beside what one point costs at least and beside CGAL's region growing?
-//
-//     limpet_throughput --shapes cube,city:100 --points 1000000 [--orders shuffled,raster] [--runs 3]
-//                       [--noise 0.002] [--sets 26] [--no-cgal] [--csv FILE]
-//
-// All contestants see the same cloud, take turns within one process, and the best of their runs counts.
-//   limpet             the model, sets and finish
-//   floor              what no incremental planar model can do without, on limpet's final model: per point
-//   one
-//                      query of an R-tree of boxes fattened by λ, one exact containment in the polygon of the
-//                      nearest plane, one addition to its moments
-//   cgal, true         CGAL's region growing (12 nearest, or a sphere of about 15) with the true normals, a
-//   gift cgal, estimated    the same with normals estimated from the 12 nearest points, that cost included
-// λ = max(feature/20, 2.2·√(area/points)). Memory is what a contestant's run adds to the process at its peak.
-#include <malloc.h>
-#include <sys/resource.h>
+#include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <functional>
-#include <limits>
-#include <string>
+#include <cstdlib>
+#include <map>
+#include <stdexcept>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Shape_detection/Region_growing/Region_growing.h>
-#include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
-#include <CGAL/pca_estimate_normals.h>
-#include <CGAL/property_map.h>
-#include <CLI/CLI.hpp>
+#include "contestants.hpp"
+#include "sections.hpp"
 
-#include <limpet/geometry/polygon.hpp>
-#include <limpet/geometry/predicates.hpp>
-#include <limpet/model/model.hpp>
-#include <limpet/model/moments.hpp>
-#include <limpet/model/spatial_index.hpp>
-#include <limpet/simulation/scan.hpp>
-#include <limpet/simulation/scene.hpp>
-
+namespace limpet::benchmarks {
 namespace {
 
-using namespace limpet;
-using Eigen::Vector3d;
-
-struct Arguments {
-  std::vector<std::string> shapes{"cube", "city:100"}, orders{"shuffled", "raster"};
-  std::vector<std::int64_t> points{1'000'000};
-  double noise = 0.002;
-  std::size_t set_size = 26;
-  int runs = 3;
-  bool no_cgal = false;
-  std::string csv;
-};
-
-struct Cloud {
-  std::string shape, order;
-  double resolution = 0, noise = 0;
-  double spacing = 0;  ///< 2.2·√(area/points): a sphere of this radius holds about 15 points
-  std::vector<model::SensorPoint> points;
-  std::vector<Vector3d> true_normals;
-  int faces = 0;
-};
-
-Cloud make_cloud(const Arguments& args, const std::string& shape, const std::string& order,
-                 std::int64_t count) {
-  const auto scene = simulation::make_scene(shape);
-  const auto faces = simulation::faces_of(scene.mesh);
-  Cloud cloud;
-  cloud.shape = shape, cloud.order = order;
-  cloud.faces = static_cast<int>(faces.size());
-  double area = 0;
-  for (const auto& face : faces) area += face.area;
-  const auto bounds = simulation::bounds_of(scene.mesh);
-  // 0.2 % of the box's size; in a city, of one of its boxes.
-  const double size = shape.starts_with("city") ? 1 : (bounds.high - bounds.low).maxCoeff();
-  cloud.noise = args.noise * size;
-  cloud.spacing = 2.2 * std::sqrt(area / static_cast<double>(count));
-  cloud.resolution = std::max(scene.feature / 20, cloud.spacing);
-  simulation::ScanOptions options;
-  options.points = count;
-  options.order =
-      order == "raster" ? simulation::ScanOptions::Order::raster : simulation::ScanOptions::Order::shuffled;
-  options.noise = cloud.noise;
-  options.viewpoints = scene.viewpoints;
-  simulation::scan(scene.mesh, options, [&](const simulation::LabelledPoint& p) {
-    cloud.points.push_back(p.point);
-    cloud.true_normals.push_back(faces[static_cast<std::size_t>(p.face)].normal);
-  });
-  return cloud;
+const std::map<std::string, Json>& requests() {
+  static const std::map<std::string, Json> all{
+      {"limpet", {{"what", "limpet"}}},
+      {"region_growing", {{"what", "region_growing"}}},
+      {"region_growing_estimated", {{"what", "region_growing"}, {"estimate", true}}},
+      {"region_growing_sphere", {{"what", "region_growing"}, {"sphere", true}}},
+      {"region_growing_sphere_estimated", {{"what", "region_growing"}, {"sphere", true}, {"estimate", true}}},
+      {"ransac", {{"what", "ransac"}}},
+      {"ransac_estimated", {{"what", "ransac"}, {"estimate", true}}}};
+  return all;
 }
 
-// ---- What is measured --------------------------------------------------------------------------
-
-/// One contestant's run: planes found, points in them.
-struct Outcome {
-  std::int64_t planes = 0, points = 0;
-};
-struct Contestant {
-  std::string name;
-  std::function<Outcome()> run;
-  Outcome outcome{};
-  double seconds = std::numeric_limits<double>::infinity();
-  double megabytes = 0;
-};
-
-/// Largest resident size of the process since reset_peak(), in MB.
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
-/// Resident size becomes the new peak; what is free goes back first. Where the system cannot, the peak stays
-/// and memory reads too small.
-void reset_peak() {
-  malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << 5;
-}
-
-void measure(Contestant& c) {
-  reset_peak();
-  const double before = peak_megabytes();
-  const auto start = std::chrono::steady_clock::now();
-  c.outcome = c.run();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  c.seconds = std::min(c.seconds, seconds);
-  c.megabytes = std::max(c.megabytes, peak_megabytes() - before);
-}
-
-// ---- limpet, and the floor ---------------------------------------------------------------------
-
-model::ModelRecord modelled(const Cloud& cloud, std::size_t set_size) {
-  model::Parameters parameters;
-  parameters.resolution = cloud.resolution;
-  parameters.noise = cloud.noise;
-  model::Model model(parameters);
-  for (std::size_t i = 0; i < cloud.points.size(); i += set_size)
-    model.update(std::span(cloud.points).subspan(i, std::min(set_size, cloud.points.size() - i)));
-  model.finish();
-  return model.record();
-}
-
-Outcome outcome_of(const model::ModelRecord& record) {
-  Outcome outcome;
-  outcome.planes = static_cast<std::int64_t>(record.polygon_segments.size());
-  for (const auto& s : record.polygon_segments) outcome.points += s.moments.count;
-  return outcome;
-}
-
-/// The polygons of a finished model, ready to be asked.
-struct Frozen {
-  geometry::Chart chart;
-  geometry::Plane plane;
-  geometry::Polygon polygon;
-  model::Moments moments;
-};
-
-class Floor {
+/// A cloud for the processes to read: a file without a name, so that nothing is left of it whatever happens.
+class CloudFile {
  public:
-  Floor(const model::ModelRecord& record, double resolution)
-      : resolution_(resolution), step_(record.grid_step) {
-    geometry::EdgeIds ids;
-    for (const auto& s : record.polygon_segments) {
-      Frozen f;
-      f.chart = geometry::Chart(s.chart_origin, s.chart_u, s.chart_v, s.chart_normal, step_);
-      geometry::Lift lift;
-      lift.h0 = s.height[0], lift.hx = s.height[1], lift.hy = s.height[2];
-      f.plane = lift.plane(f.chart);
-      model::Box3 box;
-      std::vector<std::vector<geometry::NewVertex>> cycles;
-      for (const auto& cycle : s.cycles) {
-        auto& vertices = cycles.emplace_back();
-        for (const auto& v : cycle) {
-          vertices.push_back({{v.x, v.y}});
-          box.extend(f.chart.at({v.x, v.y}, lift({v.x, v.y})));
-        }
-      }
-      f.polygon = *geometry::Polygon::from_cycles(cycles, ids);
-      const Vector3d reach = Vector3d::Constant(resolution);
-      index_.insert({box.min() - reach, box.max() + reach}, static_cast<std::uint32_t>(frozen_.size()));
-      frozen_.push_back(std::move(f));
-    }
+  CloudFile(const CloudSpec& spec, const Limits& limits) {
+    std::string name = limits.scratch + "/limpet_bench_XXXXXX";
+    descriptor_ = ::mkstemp(name.data());
+    if (descriptor_ < 0) throw std::runtime_error("cannot write in " + limits.scratch);
+    ::unlink(name.c_str());
+    answer_ = ask_process({{"what", "cloud"}, {"spec", spec}, {"cloud", path()}}, limits.own_seconds);
   }
+  ~CloudFile() { ::close(descriptor_); }
+  CloudFile(const CloudFile&) = delete;
+  CloudFile& operator=(const CloudFile&) = delete;
 
-  Outcome run(const std::vector<model::SensorPoint>& points) {
-    for (auto& f : frozen_) f.moments = {};
-    Outcome outcome;
-    for (const auto& p : points) outcome.points += add(p);
-    outcome.planes = static_cast<std::int64_t>(frozen_.size());
-    return outcome;
-  }
+  /// As the processes see it, which inherit it.
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+  const Json& answer() const { return answer_; }
 
  private:
-  bool add(const model::SensorPoint& reading) {
-    const Vector3d& p = reading.position;
-    index_.query({p, p}, found_);
-    Frozen* best = nullptr;
-    double nearest = resolution_;
-    for (const std::uint32_t i : found_) {
-      const double height = std::abs(frozen_[i].plane.height_of(p));
-      if (height < nearest && reading.axis.dot(frozen_[i].plane.normal) < 0)
-        nearest = height, best = &frozen_[i];
-    }
-    if (!best) return false;
-    const auto q = geometry::round_to_grid(best->chart.project(p));
-    const bool inside = best->polygon.locate(q) != geometry::Polygon::Side::outside;
-    model::GridPoint at{};
-    for (int i = 0; i < 3; ++i)
-      at[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(std::floor(p[i] / step_ + 0.5));
-    best->moments.add(at);
-    return inside;
-  }
-
-  double resolution_, step_;
-  model::SpatialIndex index_;
-  std::vector<Frozen> frozen_;
-  std::vector<std::uint32_t> found_;
+  int descriptor_;
+  Json answer_;
 };
 
-// ---- CGAL ----------------------------------------------------------------------------------------
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
-using PointMap = CGAL::First_of_pair_property_map<Oriented>;
-using NormalMap = CGAL::Second_of_pair_property_map<Oriented>;
-using Range = std::vector<Oriented>;
-namespace growing = CGAL::Shape_detection::Point_set;
-using NearestQuery = growing::K_neighbor_query<Kernel, Range, PointMap>;
-using SphereQuery = growing::Sphere_neighbor_query<Kernel, Range, PointMap>;
-using PlaneRegion = growing::Least_squares_plane_fit_region<Kernel, Range, PointMap, NormalMap>;
-
-constexpr unsigned kNeighbours = 12;
-constexpr std::size_t kSmallestRegion = 50;
-constexpr double kMaxAngleDeg = 25;
-
-template <class Query>
-Outcome grow(const Range& range, Query& query, double max_distance) {
-  PlaneRegion region(range, max_distance, kMaxAngleDeg, kSmallestRegion);
-  CGAL::Shape_detection::Region_growing<Range, Query, PlaneRegion> growing_regions(range, query, region);
-  std::vector<std::vector<std::size_t>> regions;
-  growing_regions.detect(std::back_inserter(regions));
-  Outcome outcome;
-  outcome.planes = static_cast<std::int64_t>(regions.size());
-  for (const auto& r : regions) outcome.points += static_cast<std::int64_t>(r.size());
-  return outcome;
+/// The faster of two answers, with what only one of them holds; a failure gives way to anything else.
+void keep_best(Json& best, Json answer) {
+  if (best.is_null() || best.contains("failed")) {
+    best = std::move(answer);
+    return;
+  }
+  if (answer.contains("failed")) return;
+  if (answer["seconds"] > best["seconds"]) std::swap(answer, best);
+  for (const auto& [key, value] : answer.items())
+    if (!best.contains(key)) best[key] = value;
+  if (answer.contains("floor_seconds") && answer["floor_seconds"] < best["floor_seconds"])
+    best["floor_seconds"] = answer["floor_seconds"];
 }
 
-Outcome region_growing(const Cloud& cloud, bool estimate, bool sphere) {
-  Range range;
-  range.reserve(cloud.points.size());
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    const Vector3d &p = cloud.points[i].position, &n = cloud.true_normals[i];
-    range.emplace_back(Kernel::Point_3(p.x(), p.y(), p.z()), Kernel::Vector_3(n.x(), n.y(), n.z()));
+void add_contestant(const CloudSpec& spec, const Json& cloud, const std::string& name, const Json& a,
+                    double limpet_ns, double floor_ns, Table& table) {
+  std::vector<Json> row{spec.shape, cloud["faces"], spec.order, cloud["points"], cloud["resolution"], name};
+  if (a.contains("failed")) {
+    row.resize(15);
+    row[14] = a["failed"];
+    return table.add(row);
   }
-  if (estimate)
-    CGAL::pca_estimate_normals<CGAL::Sequential_tag>(
-        range, kNeighbours, CGAL::parameters::point_map(PointMap()).normal_map(NormalMap()));
-  const double max_distance = std::max(3 * cloud.noise, cloud.resolution / 20);
-  if (sphere) {
-    SphereQuery query(range, cloud.spacing);
-    return grow(range, query, max_distance);
-  }
-  NearestQuery query(range, kNeighbours);
-  return grow(range, query, max_distance);
+  const auto points = a["points"].get<double>();
+  const double seconds = a["seconds"], ns = 1e9 * seconds / points;
+  const double counted = a.value("faces_counted", 0), right = a.value("faces_right", 0);
+  row.insert(row.end(), {ns, points / seconds});
+  row.push_back(floor_ns > 0 ? Json(ns / floor_ns) : Json());
+  row.push_back(limpet_ns > 0 ? Json(ns / limpet_ns) : Json());
+  row.insert(row.end(), {a["megabytes"], a["planes"], counted > 0 ? Json(100 * right / counted) : Json(),
+                         100 * a["in_planes"].get<double>() / points, Json()});
+  table.add(row);
 }
 
-// ---- The table -------------------------------------------------------------------------------------
-
-void compare(const Arguments& args, const Cloud& cloud, std::ostream* csv) {
-  Floor floor(modelled(cloud, args.set_size), cloud.resolution);
-  std::vector<Contestant> contestants;
-  const auto enter = [&](const char* name, std::function<Outcome()> run) {
-    contestants.push_back({name, std::move(run)});
-  };
-  enter("floor", [&] { return floor.run(cloud.points); });
-  enter("limpet", [&] { return outcome_of(modelled(cloud, args.set_size)); });
-  if (!args.no_cgal) {
-    enter("cgal k=12, true normals", [&] { return region_growing(cloud, false, false); });
-    enter("cgal sphere, true normals", [&] { return region_growing(cloud, false, true); });
-    enter("cgal k=12, estimated", [&] { return region_growing(cloud, true, false); });
-    enter("cgal sphere, estimated", [&] { return region_growing(cloud, true, true); });
-  }
-  for (int run = 0; run < args.runs; ++run)
-    for (auto& c : contestants) measure(c);
-
-  const auto count = static_cast<double>(cloud.points.size());
-  std::printf("%s, %.0f points, %s, noise %g, resolution %.4g, %d true faces\n", cloud.shape.c_str(), count,
-              cloud.order.c_str(), cloud.noise, cloud.resolution, cloud.faces);
-  std::printf("  %-26s %10s %12s %8s %8s %10s %8s\n", "", "ns/point", "points/s", "x floor", "planes",
-              "in planes", "MB");
-  for (const auto& c : contestants) {
-    const double nanoseconds = 1e9 * c.seconds / count, ratio = c.seconds / contestants[0].seconds;
-    const double share = 100 * static_cast<double>(c.outcome.points) / count;
-    std::printf("  %-26s %10.0f %12.0f %8.2f %8ld %9.2f%% %8.1f\n", c.name.c_str(), nanoseconds,
-                count / c.seconds, ratio, static_cast<long>(c.outcome.planes), share, c.megabytes);
-    if (csv)
-      *csv << cloud.shape << ',' << cloud.points.size() << ',' << cloud.order << ',' << cloud.noise << ','
-           << cloud.resolution << ",\"" << c.name << "\"," << nanoseconds << ',' << ratio << ','
-           << c.outcome.planes << ',' << cloud.faces << ',' << share << ',' << c.megabytes << '\n';
-  }
-  std::fflush(stdout);
+/// The shares of the run that was timed by stage, of the time of the fastest run.
+void add_stages(const CloudSpec& spec, const Json& best, const Json& staged, Table& table) {
+  if (best.contains("failed") || staged.contains("failed")) return;
+  const auto points = best["points"].get<double>();
+  const auto ns = [&](double seconds) { return 1e9 * seconds / points; };
+  double timed = staged["finish_wall_seconds"];
+  for (const auto& [stage, seconds] : staged["stages"].items()) timed += seconds.get<double>();
+  std::vector<Json> row{spec.shape, spec.order, best["points"], ns(best["floor_seconds"]),
+                        ns(best["reading_seconds"])};
+  const double all = ns(best["seconds"]);
+  for (const char* stage : {"insertion", "dissolving", "mergers", "fissures", "rest"})
+    row.push_back(all * staged["stages"][stage].get<double>() / timed);
+  row.push_back(all * staged["finish_wall_seconds"].get<double>() / timed);
+  row.push_back(all);
+  table.add(row);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Arguments args;
-  CLI::App app{"Measures how fast points are modelled"};
-  app.add_option("--shapes", args.shapes)->delimiter(',');
-  app.add_option("--orders", args.orders, "shuffled, raster")->delimiter(',');
-  app.add_option("--points", args.points)->delimiter(',');
-  app.add_option("--noise", args.noise, "as a fraction of the size of a box");
-  app.add_option("--sets", args.set_size, "sensor points in a set")->check(CLI::PositiveNumber);
-  app.add_option("--runs", args.runs, "the best of so many counts")->check(CLI::PositiveNumber);
-  app.add_flag("--no-cgal", args.no_cgal);
-  app.add_option("--csv", args.csv);
-  CLI11_PARSE(app, argc, argv);
-
-  std::ofstream csv;
-  if (!args.csv.empty()) {
-    csv.open(args.csv);
-    csv << "shape,points,order,noise,resolution,contestant,ns_per_point,ratio_to_floor,planes,true_faces,"
-           "percent_in_planes,peak_megabytes\n";
-  }
-  for (const auto& shape : args.shapes)
-    for (const auto points : args.points)
-      for (const auto& order : args.orders)
-        compare(args, make_cloud(args, shape, order, points), csv.is_open() ? &csv : nullptr);
-  return 0;
+const std::vector<std::string>& contestant_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const auto& [name, request] : requests()) all.push_back(name);
+    return all;
+  }();
+  return names;
 }
+
+ThroughputTables::ThroughputTables()
+    : contestants({{"shape"},
+                   {"true_faces"},
+                   {"order"},
+                   {"points"},
+                   {"resolution"},
+                   {"contestant"},
+                   {"ns_per_point"},
+                   {"points_per_second"},
+                   {"times_floor"},
+                   {"times_limpet"},
+                   {"megabytes"},
+                   {"planes"},
+                   {"faces_right_%", 4},
+                   {"in_planes_%", 4},
+                   {"note"}}),
+      stages({{"shape"},
+              {"order"},
+              {"points"},
+              {"floor"},
+              {"reading"},
+              {"insertion"},
+              {"dissolving"},
+              {"mergers"},
+              {"fissures"},
+              {"rest"},
+              {"finishing"},
+              {"all"}}) {}
+
+void measure_throughput(const CloudSpec& spec, const ThroughputOptions& options, const Limits& limits,
+                        ThroughputTables& tables) {
+  std::fprintf(stderr, "%s, %ld points, %s: cloud", spec.shape.c_str(), spec.points, spec.order.c_str());
+  const CloudFile cloud(spec, limits);
+  if (cloud.answer().contains("failed"))
+    throw std::runtime_error("no cloud: " + cloud.answer()["failed"].get<std::string>());
+  std::map<std::string, Json> best;
+  Json staged;
+  const auto ask = [&](Json request) {
+    request["spec"] = spec, request["cloud"] = cloud.path();
+    return ask_process(request, request["what"] == "limpet" ? limits.own_seconds : limits.peer_seconds);
+  };
+  for (int run = 0; run < std::max(options.runs, options.peer_runs); ++run) {
+    for (const auto& name : options.contestants) {
+      const bool is_limpet = name == "limpet";
+      if (run >= (is_limpet ? options.runs : options.peer_runs)) continue;
+      if (best[name].contains("failed")) continue;  // it would be too slow once more
+      std::fprintf(stderr, ", %s", name.c_str());
+      Json request = requests().at(name);
+      if (is_limpet && run == 0) request["judge"] = true;
+      keep_best(best[name], ask(request));
+    }
+  }
+  if (options.stages && best.contains("limpet")) {
+    std::fprintf(stderr, ", stages");
+    staged = ask({{"what", "limpet"}, {"stages", true}});
+  }
+  std::fprintf(stderr, "\n");
+
+  double limpet_ns = 0, floor_ns = 0;
+  if (best.contains("limpet") && !best["limpet"].contains("failed")) {
+    const Json& a = best["limpet"];
+    limpet_ns = 1e9 * a["seconds"].get<double>() / a["points"].get<double>();
+    floor_ns = 1e9 * a["floor_seconds"].get<double>() / a["points"].get<double>();
+  }
+  for (const auto& name : options.contestants)
+    add_contestant(spec, cloud.answer(), name, best[name], limpet_ns, floor_ns, tables.contestants);
+  if (!staged.is_null()) add_stages(spec, best["limpet"], staged, tables.stages);
+}
+
+}  // namespace limpet::benchmarks

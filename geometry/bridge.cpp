@@ -125,19 +125,21 @@ bool leaves_outside(const Polygon& polygon, Slot v, Point2 p) {
   return orientation(a, b, c) > 0 ? !(left_of_in && left_of_out) : !(left_of_in || left_of_out);
 }
 
-/// Is the way along the perimeter from vertex v to edge f, in both directions, at least `length`?
-bool apart_along(const Polygon& polygon, Slot v, Slot f, double length) {
+/// The edges to which the way along the perimeter from vertex v, in one of the directions, is below `length`.
+void edges_along(const Polygon& polygon, Slot v, double length, std::vector<Slot>& edges) {
+  edges.clear();
   double way = 0;
-  for (Slot s = v; way < length; s = polygon.next(s)) {
-    if (s == f) return false;
+  const auto pass = [&](Slot s) {
+    edges.push_back(s);
     way += std::sqrt(squared_length(polygon.end(s) - polygon.at(s)));
-  }
+  };
+  Slot s = v;
+  do pass(s), s = polygon.next(s);
+  while (way < length && s != v);
   way = 0;
-  for (Slot s = polygon.prev(v); way < length; s = polygon.prev(s)) {
-    if (s == f) return false;
-    way += std::sqrt(squared_length(polygon.end(s) - polygon.at(s)));
-  }
-  return true;
+  s = v;
+  do s = polygon.prev(s), pass(s);
+  while (way < length && s != v);
 }
 
 }  // namespace
@@ -162,16 +164,21 @@ bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
 
 bool bridge_self(Polygon& polygon, Slot vertex, double gap, EdgeIds& ids) {
   const Point2 v = polygon.at(vertex);
-  std::vector<PerimeterPoint> near;
+  static thread_local std::vector<Slot> along;
+  edges_along(polygon, vertex, 2 * gap, along);
+  static thread_local std::vector<PerimeterPoint> near;
+  near.clear();
   polygon.any_edge_near(Box2{v, v}.grown(gap), [&](Slot s) {
     const auto& n = polygon.node(s);
-    if (n.cycle != polygon.node(vertex).cycle || n.shared || s == vertex || n.next == vertex) return false;
+    if (n.cycle != polygon.node(vertex).cycle || n.shared) return false;
     const double t = nearest_fraction(n.at, polygon.end(s), v);
     const Point2 at = n.at + t * (polygon.end(s) - n.at);
-    if (squared_length(at - v) < gap * gap && leaves_outside(polygon, vertex, at))
+    if (squared_length(at - v) < gap * gap && std::find(along.begin(), along.end(), s) == along.end() &&
+        leaves_outside(polygon, vertex, at))
       near.push_back({s, t, at, squared_length(at - v)});
     return false;
   });
+  if (near.empty()) return false;
   std::sort(near.begin(), near.end(), [&](const PerimeterPoint& p, const PerimeterPoint& q) {
     if (p.squared_distance != q.squared_distance) return p.squared_distance < q.squared_distance;
     return polygon.node(p.edge).edge < polygon.node(q.edge).edge;
@@ -180,7 +187,6 @@ bool bridge_self(Polygon& polygon, Slot vertex, double gap, EdgeIds& ids) {
       std::unique(near.begin(), near.end(), [](const auto& p, const auto& q) { return p.edge == q.edge; }),
       near.end());
   for (std::size_t k = 0; k < std::min<std::size_t>(near.size(), 3); ++k) {
-    if (!apart_along(polygon, vertex, near[k].edge, 2 * gap)) continue;
     const Contact contact{{vertex, 0, v, near[k].squared_distance}, near[k]};
     if (SectionSearch(polygon, polygon, contact, gap).search([&](const SectionEnd& p1, const SectionEnd& p2) {
           const Edit edit = split(polygon, p1, p2);

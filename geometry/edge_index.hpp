@@ -1,13 +1,12 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include <limpet/geometry/types.hpp>
+#include <limpet/geometry/cell_grid.hpp>
 
 namespace limpet::geometry {
 
@@ -51,9 +50,9 @@ class EdgeIndex {
     std::vector<std::uint32_t> edges;
     bool inside = false;
   };
-  const Cell& cell_at(Point2 p) const { return cells_[index(column(p.x), row(p.y))]; }
-  Point2 reference_at(Point2 p) const { return reference(column(p.x), row(p.y)); }
-  bool covers(Point2 p) const { return box_.contains(p); }
+  const Cell& cell_at(Point2 p) const { return cells_[grid_.index(grid_.column(p.x), grid_.row(p.y))]; }
+  Point2 reference_at(Point2 p) const { return reference(grid_.column(p.x), grid_.row(p.y)); }
+  bool covers(Point2 p) const { return grid_.box().contains(p); }
 
   template <class F>
   bool any_near(const Box2& box, std::size_t slots, F&& f) const {
@@ -62,29 +61,22 @@ class EdgeIndex {
         if (f(i)) return true;
       return false;
     }
-    if (!box.meets(box_)) return false;
-    const int i0 = column(box.low.x), i1 = column(box.high.x), j0 = row(box.low.y), j1 = row(box.high.y);
+    if (!box.meets(grid_.box())) return false;
+    const int i0 = grid_.column(box.low.x), i1 = grid_.column(box.high.x);
+    const int j0 = grid_.row(box.low.y), j1 = grid_.row(box.high.y);
     for (int j = j0; j <= j1; ++j)
       for (int i = i0; i <= i1; ++i)
-        for (const std::uint32_t slot : cells_[index(i, j)].edges)
+        for (const std::uint32_t slot : cells_[grid_.index(i, j)].edges)
           if (f(slot)) return true;
     return false;
   }
 
  private:
-  int clamped(double t, int n) const { return t <= 0 ? 0 : t >= n - 1 ? n - 1 : static_cast<int>(t); }
-  int column(double x) const { return clamped((x - box_.low.x) / size_, columns_); }
-  int row(double y) const { return clamped((y - box_.low.y) / size_, rows_); }
-  std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * columns_ + i; }
   Point2 reference(int i, int j) const;
   /// How many of the references i0..i1 of row j lie left of the upward edge ab, which crosses the row.
   int references_left_of(Point2 a, Point2 b, int j, int i0, int i1) const;
-  template <class F>
-  void for_cells_on(Point2 a, Point2 b, F&& f);
 
-  Box2 box_;
-  double size_ = 1;
-  int columns_ = 0, rows_ = 0;
+  CellGrid grid_;
   std::size_t built_for_ = 0;
   std::vector<Cell> cells_;
 };

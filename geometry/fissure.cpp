@@ -123,8 +123,11 @@ class Filler {
     const bool four = cycle.size >= 4 && !polygon_.node(s[2]).shared;
     std::array<Point2, 4> v;
     for (std::size_t i = 0; i < 4; ++i) v[i] = polygon_.at(s[i]);
+    const bool narrow = four && squared_length(v[2] - v[1]) < gap_ * gap_;
+    const bool notch = orientation(v[0], v[1], v[2]) < 0;
+    if (!narrow && !notch) return false;
     for (const FissureType type : internal::kFissureOrder) {
-      if (needs_four(type) && !four) continue;
+      if (needs_four(type) ? !narrow : !notch) continue;
       if (const auto filling = internal::find_fissure(type, v, gap_);
           filling && lies_outside(filling->region(v)) && fill(s, *filling, cycle))
         return true;

@@ -64,28 +64,59 @@ bool in_conflict(const KeyedEdge& e, const KeyedEdge& f) {
          (ba && edges_overlap(e.b, e.a, f.b)) || (bb && edges_overlap(e.b, e.a, f.a));
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> find_conflict(std::span<const KeyedEdge> edges) {
-  std::vector<std::uint32_t> order(edges.size());
-  std::vector<Box2> boxes(edges.size());
-  for (std::uint32_t i = 0; i < edges.size(); ++i) order[i] = i, boxes[i] = box_of(edges[i].a, edges[i].b);
-  std::sort(order.begin(), order.end(), [&](auto i, auto j) {
-    return boxes[i].low.x != boxes[j].low.x ? boxes[i].low.x < boxes[j].low.x : i < j;
-  });
-  std::vector<std::uint32_t> open;
-  for (const std::uint32_t i : order) {
-    std::erase_if(open, [&](std::uint32_t j) { return boxes[j].high.x < boxes[i].low.x; });
-    for (const std::uint32_t j : open)
-      if (boxes[i].meets(boxes[j]) && in_conflict(edges[i], edges[j]))
-        return std::pair<std::size_t, std::size_t>(j, i);
-    open.push_back(i);
+namespace {
+
+/// Calls f(i, j) for pairs i < j of edges that are near each other, among them all that touch; maybe more
+/// than once for a pair. f returns true to stop.
+template <class F>
+bool any_near_pair(std::span<const KeyedEdge> edges, F&& f) {
+  constexpr std::size_t kFew = 8;
+  if (edges.size() <= kFew) {
+    for (std::size_t j = 1; j < edges.size(); ++j)
+      for (std::size_t i = 0; i < j; ++i)
+        if (f(i, j)) return true;
+    return false;
   }
-  return std::nullopt;
+  Box2 box;
+  for (const KeyedEdge& e : edges) box.add(e.a), box.add(e.b);
+  const CellGrid grid(box, edges.size());
+  // The edges of all cells, one cell after the other: first counted, then put in place.
+  std::vector<std::uint32_t> ends(grid.count() + 1);
+  for (const KeyedEdge& e : edges) grid.for_cells_on(e.a, e.b, [&](std::size_t cell) { ++ends[cell + 1]; });
+  for (std::size_t cell = 1; cell < ends.size(); ++cell) ends[cell] += ends[cell - 1];
+  std::vector<std::uint32_t> members(ends.back());
+  std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
+  for (std::uint32_t i = 0; i < edges.size(); ++i)
+    grid.for_cells_on(edges[i].a, edges[i].b, [&](std::size_t cell) { members[next[cell]++] = i; });
+  for (std::size_t cell = 0; cell + 1 < ends.size(); ++cell)
+    for (std::uint32_t l = ends[cell]; l < ends[cell + 1]; ++l)
+      for (std::uint32_t k = ends[cell]; k < l; ++k) {
+        const std::uint32_t i = members[k], j = members[l];
+        const KeyedEdge &e = edges[i], &g = edges[j];
+        if (box_of(e.a, e.b).meets(box_of(g.a, g.b)) && f(i, j)) return true;
+      }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::size_t, std::size_t>> find_conflicts(std::span<const KeyedEdge> edges) {
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  any_near_pair(edges, [&](std::size_t i, std::size_t j) {
+    if (in_conflict(edges[i], edges[j])) found.emplace_back(i, j);
+    return false;
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 Verdict judge_edges(std::span<const KeyedEdge> edges) {
   for (const KeyedEdge& e : edges)
     if (e.a == e.b) return Verdict::degenerate_edge;
-  return find_conflict(edges) ? Verdict::crossing : Verdict::valid;
+  const bool crossing =
+      any_near_pair(edges, [&](std::size_t i, std::size_t j) { return in_conflict(edges[i], edges[j]); });
+  return crossing ? Verdict::crossing : Verdict::valid;
 }
 
 Verdict judge_cycles(std::span<const std::vector<NewVertex>> cycles) {

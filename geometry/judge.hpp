@@ -19,15 +19,15 @@ struct KeyedEdge {
 /// Do two edges break simplicity? They may meet in a common vertex (equal keys) and nowhere else.
 bool in_conflict(const KeyedEdge&, const KeyedEdge&);
 
-/// The first two edges in conflict that a sweep from left to right finds.
-std::optional<std::pair<std::size_t, std::size_t>> find_conflict(std::span<const KeyedEdge>);
+/// All pairs of edges in conflict, the lower index first, in ascending order.
+std::vector<std::pair<std::size_t, std::size_t>> find_conflicts(std::span<const KeyedEdge>);
 
-/// Judges edges against each other: lengths and conflicts, by a sweep over their boxes.
+/// Judges edges against each other: lengths and conflicts, those near each other by a grid of cells.
 Verdict judge_edges(std::span<const KeyedEdge>);
 
 /// Judges whole cycles, outer first: each simple with three vertices or more, the first anticlockwise and the
-/// others clockwise, all disjoint, holes inside the outer one and outside each other. O(n log n) for
-/// boundaries without long thin overlaps of boxes.
+/// others clockwise, all disjoint, holes inside the outer one and outside each other. O(n) for boundaries
+/// whose edges are of about one length.
 Verdict judge_cycles(std::span<const std::vector<NewVertex>> cycles);
 
 /// The whole polygon judged from scratch: what judge(Edit) keeps by induction.

@@ -1,14 +1,71 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/geometry/mend.hpp>
 
+#include <array>
 #include <cmath>
 
 #include <limpet/geometry/judge.hpp>
+#include <limpet/geometry/predicates.hpp>
+#include <limpet/geometry/search.hpp>
 
 namespace limpet::geometry {
 namespace {
 
 using Cycle = std::vector<NewVertex>;
+using Cycles = std::vector<Cycle>;
+
+/// The edges of all cycles, one after the other; an edge has the number, and its start the key, of its start.
+std::vector<KeyedEdge> edges_of(const Cycles& cycles) {
+  std::vector<KeyedEdge> edges;
+  for (const Cycle& cycle : cycles) {
+    const std::size_t base = edges.size();
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const std::size_t j = (i + 1) % cycle.size();
+      edges.push_back({cycle[i].at, cycle[j].at, base + i, base + j});
+    }
+  }
+  return edges;
+}
+
+/// The point nearest to p, at most two grid steps away along each axis, on this side of ab.
+std::optional<Point2> nearest_on_side(Point2 p, Point2 a, Point2 b, int side) {
+  std::optional<Point2> best;
+  double best2 = 0;
+  for (double dx = -2; dx <= 2; ++dx)
+    for (double dy = -2; dy <= 2; ++dy) {
+      const Point2 q = p + Point2{dx, dy};
+      const double d2 = dx * dx + dy * dy;
+      if ((best && d2 >= best2) || orientation(a, b, q) != side) continue;
+      best = q, best2 = d2;
+    }
+  return best;
+}
+
+/// Vertices by number, with the edges that follow them.
+class Sides {
+ public:
+  explicit Sides(std::vector<KeyedEdge> before) : before_(std::move(before)) {}
+
+  /// Moves the ends of either edge that are on the wrong side of the other.
+  void restore(std::vector<Point2>& at, std::size_t e, std::size_t f) const {
+    for (const auto& [edge, other] : {std::pair(e, f), std::pair(f, e)})
+      for (const std::size_t vertex : {edge, end(edge)})
+        if (vertex != other && vertex != end(other)) restore_vertex(at, vertex, other);
+  }
+  std::size_t end(std::size_t edge) const { return before_[edge].key_b; }
+
+ private:
+  void restore_vertex(std::vector<Point2>& at, std::size_t vertex, std::size_t edge) const {
+    const Point2 a = at[edge], b = at[end(edge)], p = at[vertex];
+    const int side = orientation(before_[edge].a, before_[edge].b, before_[vertex].a);
+    if (side == 0 || orientation(a, b, p) == side) return;
+    const Point2 foot = a + nearest_fraction(a, b, p) * (b - a);
+    if (squared_length(foot - p) > 8) return;  // that is not where they conflict
+    if (const auto moved = nearest_on_side(p, a, b, side)) at[vertex] = *moved;
+  }
+
+  std::vector<KeyedEdge> before_;
+};
 
 void remove_vertex(Cycle& cycle, std::size_t i) {
   NewVertex& before = cycle[(i + cycle.size() - 1) % cycle.size()];
@@ -22,48 +79,64 @@ void drop_close(Cycle& cycle) {
       remove_vertex(cycle, i);
 }
 
-/// Area that the boundary passes over when vertex i goes.
-double area_of_removal(const Cycle& cycle, std::size_t i) {
-  const std::size_t n = cycle.size();
-  const Point2 a = cycle[(i + n - 1) % n].at, b = cycle[i].at, c = cycle[(i + 1) % n].at;
-  return std::abs(cross(b - a, c - a)) / 2;
+/// One round of removals: for each conflict, of the four ends the one that changes the least area, unless an
+/// earlier removal of the round has changed the edges. Returns the area that the boundary passes over.
+double remove_conflicts(Cycles& cycles, const std::vector<KeyedEdge>& edges,
+                        const std::vector<std::pair<std::size_t, std::size_t>>& conflicts) {
+  std::vector<std::size_t> before(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) before[edges[i].key_b] = i;
+  const auto area_of_removal = [&](std::size_t v) {
+    return std::abs(cross(edges[v].a - edges[before[v]].a, edges[v].b - edges[before[v]].a)) / 2;
+  };
+  std::vector<char> changed(edges.size()), removed(edges.size());
+  double area = 0;
+  for (const auto& [e, f] : conflicts) {
+    if (changed[e] || changed[f]) continue;
+    std::size_t least = e;
+    for (const std::size_t v : {std::size_t{edges[e].key_b}, f, std::size_t{edges[f].key_b}})
+      if (area_of_removal(v) < area_of_removal(least)) least = v;
+    if (changed[least] || changed[before[least]]) continue;
+    area += area_of_removal(least);
+    removed[least] = changed[least] = changed[before[least]] = 1;
+  }
+  std::size_t number = edges.size();
+  for (auto cycle = cycles.rbegin(); cycle != cycles.rend(); ++cycle)
+    for (std::size_t i = cycle->size(); i-- > 0;)
+      if (removed[--number] && cycle->size() > 1) remove_vertex(*cycle, i);
+  return area;
 }
-
-struct Place {
-  std::size_t cycle = 0, vertex = 0;
-};
 
 }  // namespace
 
-bool mend_cycles(std::vector<std::vector<NewVertex>>& cycles, double area) {
+bool restore_sides(Cycles& cycles, const Cycles& before) {
+  constexpr int kRounds = 4;
+  const Sides sides(edges_of(before));
+  std::vector<KeyedEdge> edges = edges_of(cycles);
+  std::vector<Point2> at;
+  for (const KeyedEdge& e : edges) at.push_back(e.a);
+  for (int round = 0;; ++round) {
+    const auto conflicts = find_conflicts(edges);
+    if (conflicts.empty()) break;
+    if (round == kRounds) return false;
+    for (const auto& [e, f] : conflicts) sides.restore(at, e, f);
+    for (std::size_t i = 0; i < edges.size(); ++i) edges[i].a = at[i], edges[i].b = at[edges[i].key_b];
+  }
+  std::size_t number = 0;
+  for (Cycle& cycle : cycles)
+    for (NewVertex& v : cycle) v.at = at[number++];
+  return true;
+}
+
+bool mend_cycles(Cycles& cycles, double area) {
   for (Cycle& cycle : cycles) drop_close(cycle);
   for (;;) {
     if (cycles.empty() || cycles.front().size() < 3) return false;
     std::erase_if(cycles, [](const Cycle& c) { return c.size() < 3; });
-    std::vector<KeyedEdge> edges;
-    std::vector<Place> places;
-    for (std::size_t c = 0; c < cycles.size(); ++c) {
-      const std::uint64_t base = edges.size();
-      for (std::size_t i = 0; i < cycles[c].size(); ++i) {
-        const std::size_t j = (i + 1) % cycles[c].size();
-        edges.push_back({cycles[c][i].at, cycles[c][j].at, base + i, base + j});
-        places.push_back({c, i});
-      }
-    }
-    const auto conflict = find_conflict(edges);
-    if (!conflict) return true;
-    Place least;
-    double smallest = -1;
-    for (const std::size_t e : {conflict->first, conflict->second})
-      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-        const Cycle& cycle = cycles[places[e].cycle];
-        const Place p{places[e].cycle, (places[e].vertex + end) % cycle.size()};
-        const double change = area_of_removal(cycle, p.vertex);
-        if (smallest < 0 || change < smallest) smallest = change, least = p;
-      }
-    area -= smallest;
+    const std::vector<KeyedEdge> edges = edges_of(cycles);
+    const auto conflicts = find_conflicts(edges);
+    if (conflicts.empty()) return true;
+    area -= remove_conflicts(cycles, edges, conflicts);
     if (area < 0) return false;
-    remove_vertex(cycles[least.cycle], least.vertex);
   }
 }
 

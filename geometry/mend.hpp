@@ -7,8 +7,15 @@
 
 namespace limpet::geometry {
 
+/// Cycles that were brought from one chart into another are no longer valid where rounding has carried a
+/// vertex onto an edge or over it: such vertices are moved back to their side, by at most two grid steps
+/// along each axis. `before` are the same cycles, vertex by vertex, where they were valid; the charts face
+/// the same way. Nothing else changes. False when edges are still in conflict after a few rounds.
+bool restore_sides(std::vector<std::vector<NewVertex>>& cycles,
+                   const std::vector<std::vector<NewVertex>>& before);
+
 /// Mends cycles that rounding broke (outer first): vertices closer than two grid steps to the one before go,
-/// then, as long as two edges conflict, the end of theirs whose removal changes the least area. Thin spikes
+/// then, as long as edges conflict, the end of theirs whose removal changes the least area. Thin spikes
 /// and necks vanish by that. Edges that change lose their identities. False when the outer cycle does not
 /// survive, or the mending changes more than `area` (grid steps squared) in all; holes may vanish. The result
 /// still has to be judged.

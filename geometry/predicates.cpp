@@ -1,8 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/geometry/predicates.hpp>
 
-#include <cmath>
-
 #include "kernel_internal.hpp"
 
 namespace limpet::geometry {
@@ -26,12 +24,12 @@ Point2 round_to_grid(Point2 p) {
 #if defined(LIMPET_ARITHMETIC_FLOAT)
   return p;
 #else
-  return {std::floor(p.x + 0.5), std::floor(p.y + 0.5)};
+  return {rounded_down(p.x + 0.5), rounded_down(p.y + 0.5)};
 #endif
 }
 
-int orientation(Point2 p, Point2 q, Point2 r) {
-  return CGAL::orientation(internal::to_kernel(p), internal::to_kernel(q), internal::to_kernel(r));
+int internal::orientation_unfiltered(Point2 p, Point2 q, Point2 r) {
+  return CGAL::orientation(to_kernel(p), to_kernel(q), to_kernel(r));
 }
 
 bool segments_meet(Point2 a, Point2 b, Point2 c, Point2 d) {

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include <limpet/geometry/types.hpp>
@@ -19,7 +20,7 @@ Point2 round_to_grid(Point2 p);
 
 /// +1 when p, q, r turn anticlockwise, -1 clockwise, 0 when collinear.
 /// Laws: orientation(p,q,r) = orientation(q,r,p) = -orientation(q,p,r); zero when two arguments are equal.
-int orientation(Point2 p, Point2 q, Point2 r);
+inline int orientation(Point2 p, Point2 q, Point2 r);
 
 /// Do the closed segments ab and cd have a point in common? Symmetric in the segments and in their ends.
 bool segments_meet(Point2 a, Point2 b, Point2 c, Point2 d);
@@ -31,5 +32,23 @@ bool edges_overlap(Point2 apex, Point2 p, Point2 q);
 /// +1 when the closed chain is anticlockwise, -1 when clockwise, 0 when it is degenerate at its lowest
 /// vertex. Precondition: simple and without repeated points (decided at its extreme vertex).
 int chain_orientation(std::span<const Point2> chain);
+
+namespace internal {
+
+/// orientation() where double arithmetic cannot tell the sign.
+int orientation_unfiltered(Point2 p, Point2 q, Point2 r);
+
+}  // namespace internal
+
+inline int orientation(Point2 p, Point2 q, Point2 r) {
+  // Nearly all cases are told apart here. The error of the difference is below (3 + 16u)u times the sum, with
+  // u = 2^-53 (Shewchuk, "Adaptive precision floating-point arithmetic", 1997, A estimate); the last term is
+  // for products that underflow. What overflows is left to the other.
+  const double left = (q.x - p.x) * (r.y - p.y), right = (q.y - p.y) * (r.x - p.x);
+  const double bound = 3.4e-16 * (std::abs(left) + std::abs(right)) + 1e-290;
+  if (left - right > bound) return 1;
+  if (right - left > bound) return -1;
+  return internal::orientation_unfiltered(p, q, r);
+}
 
 }  // namespace limpet::geometry

@@ -6,11 +6,6 @@
 
 namespace limpet::geometry {
 
-double nearest_fraction(Point2 a, Point2 b, Point2 p) {
-  const double length2 = squared_length(b - a);
-  return length2 > 0 ? std::clamp(dot(p - a, b - a) / length2, 0.0, 1.0) : 0.0;
-}
-
 std::optional<PerimeterPoint> nearest_perimeter_point(const Polygon& polygon, Point2 p, double within,
                                                       std::optional<CycleId> cycle) {
   std::optional<PerimeterPoint> best;

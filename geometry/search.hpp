@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <optional>
 
@@ -9,7 +10,10 @@
 namespace limpet::geometry {
 
 /// The point of segment ab nearest to p, as a fraction of the way from a to b (0 to 1).
-double nearest_fraction(Point2 a, Point2 b, Point2 p);
+inline double nearest_fraction(Point2 a, Point2 b, Point2 p) {
+  const double length2 = squared_length(b - a);
+  return length2 > 0 ? std::clamp(dot(p - a, b - a) / length2, 0.0, 1.0) : 0.0;
+}
 
 /// A perimeter point: on the edge that leaves `edge`, `fraction` of the way along it.
 struct PerimeterPoint {

@@ -20,6 +20,13 @@ inline double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
 inline double squared_length(Point2 a) { return dot(a, a); }
 
+/// The largest whole number not above x. Unlike std::floor no call, where the processor's own is not at hand.
+inline double rounded_down(double x) {
+  if (!(x > -0x1p52 && x < 0x1p52)) return x;  // whole already, or no number
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
+  return whole - (whole > x);
+}
+
 /// Axis-parallel box of chart points; empty until something is added.
 struct Box2 {
   Point2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};

@@ -33,12 +33,14 @@ inline bool is_integer(NumberType type) { return type < NumberType::kFloat; }
 
 template <class Number>
 double decode_as(const char* bytes, bool swapped) {
-  unsigned char raw[sizeof(Number)];
-  for (std::size_t i = 0; i < sizeof raw; ++i) {
-    raw[i] = static_cast<unsigned char>(bytes[swapped ? sizeof raw - 1 - i : i]);
-  }
   Number value;
-  std::memcpy(&value, raw, sizeof value);
+  std::memcpy(&value, bytes, sizeof value);
+  if (swapped) {
+    unsigned char raw[sizeof value];
+    for (std::size_t i = 0; i < sizeof raw; ++i)
+      raw[i] = static_cast<unsigned char>(bytes[sizeof raw - 1 - i]);
+    std::memcpy(&value, raw, sizeof value);
+  }
   return static_cast<double>(value);
 }
 

@@ -16,7 +16,9 @@ class PcdReader final : public ScanReader {
       : source_(std::move(source)), header_(read_pcd_header(*source_)) {
     std::vector<std::string> names;
     for (const PcdField& field : header_.fields) names.push_back(field.count == 1 ? field.name : "");
-    columns_.emplace(names, options.viewpoint ? options.viewpoint : header_.viewpoint, source_->here_line());
+    ScanOptions chosen = options;
+    if (!chosen.viewpoint) chosen.viewpoint = header_.viewpoint;
+    columns_.emplace(names, chosen, source_->here_line());
     for (std::size_t i = 0, column = 0; i < names.size(); ++i) {
       const PcdField& field = header_.fields[i];
       if (const auto role = columns_->role(i); role != ScanColumns::kRoles) {

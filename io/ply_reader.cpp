@@ -27,7 +27,7 @@ class PlyReader final : public ScanReader {
     for (const PlyProperty& property : vertex->properties) {
       names.push_back(property.is_list ? "" : property.name);  // a list is no coordinate, whatever its name
     }
-    columns_.emplace(names, options.viewpoint, where);
+    columns_.emplace(names, options, where);
     std::size_t offset = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
       roles_.push_back(columns_->role(i));

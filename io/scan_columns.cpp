@@ -1,9 +1,9 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limpet/io/error.hpp>
 #include <limpet/io/scan_columns.hpp>
+#include <limpet/io/text.hpp>
 
 namespace limpet::io {
 namespace {
@@ -13,11 +13,27 @@ int find(const std::vector<std::string>& names, std::string_view name) {
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
-int find_first(const std::vector<std::string>& names, std::initializer_list<std::string_view> wanted) {
-  for (const std::string_view name : wanted) {
+constexpr std::array<std::string_view, 14> kLabelNames = {"face",          "label",
+                                                          "segment_index", "segment",
+                                                          "plane",         "plane_index",
+                                                          "shape_index",   "scalar_label",
+                                                          "scalar_Label",  "region",
+                                                          "class",         "classification",
+                                                          "scalar_class",  "scalar_Classification"};
+
+int find_label(const std::vector<std::string>& names) {
+  for (const std::string_view name : kLabelNames) {
     if (const int column = find(names, name); column >= 0) return column;
   }
   return -1;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) {
+    if (!name.empty() && list.size() < 200) list += " " + name;
+  }
+  return list;
 }
 
 }  // namespace
@@ -32,7 +48,7 @@ bool normalise(Eigen::Vector3d& v) {
   return true;
 }
 
-ScanColumns::ScanColumns(const std::vector<std::string>& names, std::optional<Eigen::Vector3d> viewpoint,
+ScanColumns::ScanColumns(const std::vector<std::string>& names, const ScanOptions& options,
                          const std::string& where) {
   column_.fill(-1);
   for (const auto& [role, name] : {std::pair{kX, "x"}, {kY, "y"}, {kZ, "z"}}) {
@@ -49,12 +65,22 @@ ScanColumns::ScanColumns(const std::vector<std::string>& names, std::optional<Ei
     axis_source_ = AxisSource::kAxis;
   } else if (axis_columns("nx", "ny", "nz") || axis_columns("normal_x", "normal_y", "normal_z")) {
     axis_source_ = AxisSource::kNormal;
-  } else if (viewpoint) {
+  } else if (options.viewpoint) {
     axis_source_ = AxisSource::kViewpoint;
-    viewpoint_ = *viewpoint;
+    viewpoint_ = *options.viewpoint;
   }
-  column_[kLabel] = find_first(names, {"face", "label", "segment_index", "segment", "plane", "plane_index",
-                                       "shape_index", "scalar_label", "scalar_Label", "region"});
+  if (options.label_column.empty()) {
+    column_[kLabel] = find_label(names);
+    return;
+  }
+  column_[kLabel] = find(names, options.label_column);
+  if (column_[kLabel] < 0) {
+    throw InputError(where,
+                     "the points have no " + in_quotes(options.label_column) + "; they have" + listed(names));
+  }
+  if (role(static_cast<std::size_t>(column_[kLabel])) != kLabel) {
+    throw InputError(where, in_quotes(options.label_column) + " is a coordinate, not a label");
+  }
 }
 
 ScanColumns::Role ScanColumns::role(std::size_t column) const {

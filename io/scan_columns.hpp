@@ -17,9 +17,9 @@ class ScanColumns {
   using Row = std::array<double, kRoles>;
 
   /// Finds the columns by name. Of several that could be the axis or the label, the first in order of
-  /// trust is taken. `where` is for messages. Errors: InputError when x, y or z is missing.
-  ScanColumns(const std::vector<std::string>& names, std::optional<Eigen::Vector3d> viewpoint,
-              const std::string& where);
+  /// trust is taken. `where` is for messages. Errors: InputError when x, y or z is missing, or the label
+  /// column that `options` name.
+  ScanColumns(const std::vector<std::string>& names, const ScanOptions& options, const std::string& where);
 
   /// Index of the column with this role; -1: none.
   int column(Role role) const { return column_[role]; }

@@ -14,7 +14,7 @@ namespace limpet::io {
 struct ScanRecord {
   model::SensorPoint point;  ///< scan's unit; the axis is zero when the scan does not tell it
   bool has_axis = false;     ///< the axis is known and has length 1
-  std::int64_t label = -1;   ///< what the scan says the point belongs to; -1: nothing
+  std::int64_t label = -1;   ///< what the scan says the point belongs to; -1: nothing, or no whole number
 };
 
 struct ScanOptions {
@@ -23,6 +23,9 @@ struct ScanOptions {
   std::optional<Eigen::Vector3d> viewpoint;
   /// "ply", "pcd", "xyz" or "pwn"; empty: told by the first bytes, then by the file's extension.
   std::string format;
+  /// The column (property, field) that says which region a point is of; empty: the first that is there of the
+  /// names known for it (see ScanColumns). It must be there when named.
+  std::string label_column;
 };
 
 /// A scan, read in order, one record at a time, in memory that does not depend on its size (a compressed PCD

@@ -89,7 +89,7 @@ class TableReader final : public ScanReader {
       if (width_ >= 6) names_.insert(names_.end(), {"nx", "ny", "nz"});
       names_.resize(width_);
     }
-    columns_.emplace(names_, options_.viewpoint, source_->here_line());
+    columns_.emplace(names_, options_, source_->here_line());
     for (std::size_t i = 0; i < width_; ++i) roles_.push_back(columns_->role(i));
     return true;
   }

@@ -10,46 +10,60 @@
 namespace limpet::model::internal {
 namespace {
 
-Box3 box_of_points(const Engine& e, const Segment& s) {
+Box3 box_of(const Engine& e, std::span<const RawPoint> points) {
   Box3 box;
-  for (const RawPoint& raw : s.raw) box.extend(e.world(raw.at));
+  for (const RawPoint& raw : points) box.extend(e.world(raw.at));
   return box;
 }
 
-/// Is a point of the young segment within λ of one of the places?
-bool near_any(const Engine& e, const Segment& young, const Places& places) {
-  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
-  const Box3 box = box_of_points(e, young);
-  return std::any_of(places.boxes().begin(), places.boxes().end(),
-                     [&](const Box3& place) { return place.squaredExteriorDistance(box) < lambda2; });
-}
-
-/// Mature polygons that points of the segment may fit.
-std::vector<const Segment*> mature_polygons_around(Engine& e, const Segment& s) {
-  e.index.query(box_of_points(e, s), e.found);
-  std::vector<const Segment*> result;
+/// Mature polygons that points of a segment may fit.
+void find_mature_polygons(Engine& e, const Box3& around, std::vector<const Segment*>& result) {
+  result.clear();
+  e.index.query(around, e.found);
   for (const std::uint32_t slot : e.found)
-    if (const Segment& other = e.at(slot); &other != &s && other.mature_polygon()) result.push_back(&other);
-  return result;
+    if (const Segment& other = e.at(slot); other.mature_polygon()) result.push_back(&other);
 }
 
 bool fits(const Engine& e, const RawPoint& raw, const Segment& polygon) {
   const Eigen::Vector3d p = e.world(raw.at);
   if (!polygon.indexed.contains(p)) return false;
-  const double h = polygon.fit.plane().height_of(p);
+  const double h = polygon.fit.height_of(p);
   return h * h <= residual_limit(e, polygon, p, raw.variance) &&
          standing(e, polygon, p, raw.axis, h * h, raw.variance).near;
 }
 
-bool mostly_fits_neighbours(Engine& e, const Segment& s) {
-  const auto polygons = mature_polygons_around(e, s);
-  if (polygons.empty()) return false;
+/// Does a point of the young segment that lies within λ of where the polygon has changed fit it now?
+bool fits_where_changed(const Engine& e, const Segment& young, const Segment& polygon) {
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  return std::any_of(young.raw.begin(), young.raw.end(), [&](const RawPoint& raw) {
+    const Eigen::Vector3d p = e.world(raw.at);
+    const double height = polygon.fit.height_of(p);
+    if (height * height >= lambda2) return false;
+    const auto& places = polygon.polygon->changed.boxes();
+    return std::any_of(places.begin(), places.end(),
+                       [&](const Box3& place) { return place.squaredExteriorDistance(p) < lambda2; }) &&
+           fits(e, raw, polygon);
+  });
+}
+
+/// Do a fifth of the points fit mature neighbours? Asked only when one that has not been looked at does.
+bool mostly_fits_neighbours(Engine& e, Segment& s) {
+  static thread_local std::vector<const Segment*> polygons;
+  const auto fits_one = [&](const RawPoint& raw) {
+    return std::any_of(polygons.begin(), polygons.end(), [&](auto* p) { return fits(e, raw, *p); });
+  };
+  const std::span<const RawPoint> all(s.raw), unseen = all.subspan(std::min(s.seen, all.size()));
+  s.seen = all.size();
+  if (unseen.empty()) return false;
+  find_mature_polygons(e, box_of(e, unseen), polygons);
+  if (std::none_of(unseen.begin(), unseen.end(), fits_one)) return false;
+  find_mature_polygons(e, box_of(e, all), polygons);
   std::size_t fitting = 0;
-  for (const RawPoint& raw : s.raw) {
+  for (const RawPoint& raw : all) {
     if (raw.returned >= kMaxReturns) return false;
-    fitting += std::any_of(polygons.begin(), polygons.end(), [&](auto* p) { return fits(e, raw, *p); });
+    fitting += fits_one(raw);
   }
-  return fitting > 0 && 5 * fitting >= s.raw.size();
+  return 5 * fitting >= all.size();
 }
 
 /// A young polygon is looked at once more before it becomes mature.
@@ -93,8 +107,10 @@ bool dissolve_young(Engine& e) {
     if (!s.mature_polygon() || s.polygon->changed.empty()) continue;
     query(e, s.polygon->changed, e.found);
     for (const std::uint32_t near : e.found)
-      if (e.at(near).young() && near_any(e, e.at(near), s.polygon->changed))
-        look.emplace_back(e.at(near).id, near);
+      if (Segment& young = e.at(near); young.young() && fits_where_changed(e, young, s)) {
+        young.seen = 0;
+        look.emplace_back(young.id, near);
+      }
   }
   std::sort(look.begin(), look.end());
   look.erase(std::unique(look.begin(), look.end()), look.end());

@@ -19,6 +19,7 @@
 #include "places_internal.hpp"
 #include "relief_internal.hpp"
 #include "series_internal.hpp"
+#include "stage_clock_internal.hpp"
 
 /// The state behind a Model and the operations of chapter 2 on it, one file each. Nothing here is installed.
 namespace limpet::model::internal {
@@ -64,6 +65,7 @@ struct Segment {
   Fit fit;
   std::int64_t next_fit = 0;  ///< count at which the fit is computed anew
   std::vector<RawPoint> raw;  ///< all its points while young, else none
+  std::size_t seen = 0;       ///< of these, how many dissolve_young() has tried on mature polygons
   double since_sum = 0;       ///< of its points while young: counts.points when they came
   std::int64_t last_joined = 0;
   Box3 indexed;  ///< as it is in the spatial index
@@ -82,9 +84,9 @@ struct Engine {
   explicit Engine(const Parameters&);
 
   Parameters parameters;
-  double step = 0;      ///< grid step, scan's unit
-  double rounding = 0;  ///< variance of grid and input rounding together
-  double gap = 0;       ///< λ in grid steps
+  double step = 0;                      ///< grid step, scan's unit
+  double rounding = 0;                  ///< variance of grid and input rounding together
+  double gap = 0;                       ///< λ in grid steps
   double sin_angle = 0, cos_angle = 0;  ///< of μ
 
   geometry::EdgeIds edge_ids;
@@ -110,6 +112,7 @@ struct Engine {
   std::unordered_map<std::uint64_t, std::uint64_t> label_goes_to;  ///< merged segments
 
   std::vector<std::uint32_t> found;  ///< scratch of queries
+  StageClock stage_clock;
 
   Eigen::Vector3d world(const GridPoint& p) const {
     return step *

@@ -7,13 +7,6 @@
 
 namespace limpet::model {
 
-double Fit::height_variance(const Eigen::Vector3d& p, double variance) const {
-  const Eigen::Vector3d d = p - centroid;
-  const double h = normal.dot(d);
-  const double in_plane2 = std::max(0.0, d.dot(d) - h * h);
-  return variance / count * (1 + in_plane2 / std::max(u2, 1e-300));
-}
-
 double Fit::normal_error(double variance) const {
   return std::sqrt(variance / (count * std::max(u2, 1e-300)));
 }

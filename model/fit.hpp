@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 #include <limpet/geometry/chart.hpp>
 #include <limpet/model/moments.hpp>
@@ -21,8 +22,14 @@ struct Fit {
   /// Variance about the point of best fit, s_pt² (thesis §2.2); the variance about the plane, s_pp², is u3.
   double point_variance() const { return u1 + u2 + u3; }
   geometry::Plane plane() const { return {centroid, normal}; }
+  double height_of(const Eigen::Vector3d& p) const { return normal.dot(p - centroid); }
   /// Variance of the plane's height at p when each point has variance `variance` along the normal.
-  double height_variance(const Eigen::Vector3d& p, double variance) const;
+  double height_variance(const Eigen::Vector3d& p, double variance) const {
+    const Eigen::Vector3d d = p - centroid;
+    const double h = normal.dot(d);
+    const double in_plane2 = std::max(0.0, d.dot(d) - h * h);
+    return variance / count * (1 + in_plane2 / std::max(u2, 1e-300));
+  }
   /// Standard error of the normal, radians.
   double normal_error(double variance) const;
 };

@@ -78,7 +78,7 @@ void settle(Engine& e, Segment* s, bool polygons_tried) {
     }
     s = next;
     polygons_tried = false;
-    e.index.query(box_around(s->fit.centroid, 0), e.found);
+    e.index.query(s->fit.centroid, e.found);
   }
 }
 
@@ -88,13 +88,14 @@ void insert_point(Engine& e, const RawPoint& raw) {
   static thread_local std::vector<Candidate> candidates;
   candidates.clear();
   const Eigen::Vector3d p = e.world(raw.at);
-  e.index.query(box_around(p, 0), e.found);
+  e.index.query(p, e.found);
   const bool best = e.rules().best;
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   for (const std::uint32_t slot : e.found) {
     Segment& s = e.at(slot);
     if (!best || !s.polygon) continue;
-    const double height = s.fit.plane().height_of(p);
-    add_polygon(e, s, p, raw.axis, height * height, raw.variance, candidates);
+    const double height = s.fit.height_of(p);
+    if (height * height < lambda2) add_polygon(e, s, p, raw.axis, height * height, raw.variance, candidates);
   }
   if (candidates.size() > 1) order(e, candidates);
   for (const Candidate& c : candidates)

@@ -32,7 +32,7 @@ Standing standing(const Engine& e, const Segment& s, const Eigen::Vector3d& p, c
                   double squared_residual, double variance) {
   Standing result;
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
-  const double height = s.fit.plane().height_of(p);
+  const double height = s.fit.height_of(p);
   if (height * height >= lambda2 || axis.dot(s.fit.normal) > 0) return result;
   if (e.rules().residual && squared_residual > residual_limit(e, s, p, variance)) return result;
   const PolygonPart& part = *s.polygon;
@@ -61,7 +61,8 @@ namespace {
 
 /// The rules that look at the merged moments: the thesis's variance, and the initial plane while the polygon
 /// is young (later the fit moves too little between two refits to drift unseen).
-bool merged_fit_accepted(const Engine& e, const Segment& polygon, const Moments& added,
+template <class Data>  // Moments, or a single GridPoint
+bool merged_fit_accepted(const Engine& e, const Segment& polygon, const Data& added,
                          const Eigen::Vector3d& axis) {
   if (!faces_outside(polygon.polygon->outward, polygon.axis_sum + axis)) return false;
   const bool check_variance = !e.rules().residual;
@@ -111,8 +112,7 @@ void joined(Engine& e, Segment& polygon) {
 }  // namespace
 
 bool merge_point_into_polygon(Engine& e, Segment& polygon, const RawPoint& raw, const Standing& st) {
-  if (!merged_fit_accepted(e, polygon, Moments(raw.at), raw.axis) || !extend_perimeter(e, polygon, st))
-    return false;
+  if (!merged_fit_accepted(e, polygon, raw.at, raw.axis) || !extend_perimeter(e, polygon, st)) return false;
   const bool young = polygon.young();
   polygon.moments.add(raw.at);
   ++e.modelled_points;
@@ -134,9 +134,8 @@ bool merge_point_into_polygon(Engine& e, Segment& polygon, const RawPoint& raw, 
 bool merge_segment_into_polygon(Engine& e, Segment& polygon, Segment& point, const Standing& st) {
   if (!merged_fit_accepted(e, polygon, point.moments, point.axis_sum) || !extend_perimeter(e, polygon, st))
     return false;
-  const bool young =
-      polygon.young() && point.young() &&
-      may_be_young(e, polygon.moments.count() + point.moments.count(), polygon.fit);
+  const bool young = polygon.young() && point.young() &&
+                     may_be_young(e, polygon.moments.count() + point.moments.count(), polygon.fit);
   polygon.moments.add(point.moments);
   e.modelled_points += point.moments.count();
   polygon.axis_sum += point.axis_sum;

@@ -39,7 +39,8 @@ void absorbed(Engine& e, Segment& into, Segment& from) {
 /// Young point segments within 2λ of a point segment, nearest first, ties by identity.
 std::vector<Segment*> young_points_around(Engine& e, const Segment& seed) {
   const double reach = 2 * e.parameters.resolution;
-  e.index.query(box_around(seed.fit.centroid, reach), e.found);
+  // Indexed boxes reach λ beyond what they hold.
+  e.index.query(box_around(seed.fit.centroid, reach - e.parameters.resolution), e.found);
   std::vector<std::pair<double, Segment*>> near;
   for (const std::uint32_t slot : e.found) {
     Segment& s = e.at(slot);
@@ -66,7 +67,8 @@ PointMerger merge_point_segments(Engine& e, Segment& into, Segment& from) {
   const Fit fit = fit_to(moments, e.step, axis_sum);
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   const bool small = fit.point_variance() < lambda2;
-  const bool polygon = fit.u3 < lambda2 && promotable(e, fit, variance_sum / fit.count, axis_sum, {&into.raw, &from.raw}, since_sum);
+  const bool polygon = fit.u3 < lambda2 && promotable(e, fit, variance_sum / fit.count, axis_sum,
+                                                      {&into.raw, &from.raw}, since_sum);
   auto part = polygon ? diamond_part(e, fit) : nullptr;
   if (!part && !small) return PointMerger::refused;
 

@@ -32,7 +32,8 @@ bool planes_agree(const Engine& e, const Segment& a, const Segment& b) {
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   if (e.rules().residual) {
     const double residual2 = small.moments.squared_residual(large.fit.plane(), e.step);
-    const double by_noise = 4 * small.variance() + 9 * large.fit.height_variance(small.fit.centroid, large.variance());
+    const double by_noise =
+        4 * small.variance() + 9 * large.fit.height_variance(small.fit.centroid, large.variance());
     const double tolerance2 = e.parameters.tolerance * e.parameters.tolerance;
     if (residual2 > std::max(by_noise, tolerance2) || residual2 >= lambda2) return false;
     if (residual2 > by_noise && relief_kept(e) && !surfaces_continue(e, large, small)) return false;
@@ -118,8 +119,8 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
 
   const SegmentId old_a = a.id, old_b = b.id;
   a.moments.add(b.moments);
-  const bool young = a.young() && b.young() &&
-                     may_be_young(e, a.moments.count(), fit_to(a.moments, e.step, -a.fit.normal));
+  const bool young =
+      a.young() && b.young() && may_be_young(e, a.moments.count(), fit_to(a.moments, e.step, -a.fit.normal));
   if (young) {
     a.raw.insert(a.raw.end(), b.raw.begin(), b.raw.end());
   } else {

@@ -60,6 +60,10 @@ std::vector<std::vector<SegmentId>> Model::surfaces() const { return internal::s
 
 void Model::keep_labels() { state_->engine.labels_kept = true; }
 
+void Model::measure_stages() { state_->engine.stage_clock.measure(); }
+
+StageTimes Model::stage_times() const { return state_->engine.stage_clock.times(); }
+
 std::vector<SegmentId> Model::labels() const {
   const auto& e = state_->engine;
   std::vector<SegmentId> result;

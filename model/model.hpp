@@ -10,6 +10,7 @@
 #include <limpet/model/record.hpp>
 #include <limpet/model/rules.hpp>
 #include <limpet/model/sensor_point.hpp>
+#include <limpet/model/stage_times.hpp>
 
 namespace limpet::model {
 
@@ -20,8 +21,8 @@ struct Parameters {
   double noise = 0;                        ///< standard deviation of a reading along its axis; ≥ 0
   double noise_per_range = 0;   ///< what it grows by with the range; ≥ 0, in scan's unit per scan's unit
   double noise_per_range2 = 0;  ///< and with the square of the range, as where depth is triangulated; ≥ 0
-  double input_quantum = 0;                ///< the scan's own rounding; ≥ 0
-  double tolerance = 0;  ///< how far from its plane a surface may be; 0: 3 standard deviations
+  double input_quantum = 0;     ///< the scan's own rounding; ≥ 0
+  double tolerance = 0;         ///< how far from its plane a surface may be; 0: 3 standard deviations
   std::int64_t outlier_patience = 1'000'000;  ///< sensor points after which a small point segment expires
   Rules rules;
 };
@@ -78,6 +79,11 @@ class Model {
   void keep_labels();
   /// For each point since keep_labels() the segment it is in now; 0 when it expired or was no point.
   std::vector<SegmentId> labels() const;
+
+  /// From now on measure where time goes (a few nanoseconds a point); the model stays the same.
+  void measure_stages();
+  /// Since measure_stages(); all zero without it.
+  StageTimes stage_times() const;
 
  private:
   struct State;

@@ -30,6 +30,8 @@ std::optional<geometry::Polygon> polygon_in(Engine& e, const geometry::Chart& to
                                             const geometry::Lift& lift, const geometry::Polygon& polygon) {
   auto cycles = projected(to, from, lift, polygon);
   if (auto result = geometry::Polygon::from_cycles(cycles, e.edge_ids)) return result;
+  if (geometry::restore_sides(cycles, polygon.boundary()))
+    if (auto result = geometry::Polygon::from_cycles(cycles, e.edge_ids)) return result;
   // What rounding broke is mended, as long as that changes less than (λ/4)².
   if (!geometry::mend_cycles(cycles, e.gap * e.gap / 16)) return std::nullopt;
   return geometry::Polygon::from_cycles(cycles, e.edge_ids);

@@ -51,7 +51,8 @@ Segment& segment_from(Engine& e, std::uint64_t id, const MomentsRecord& moments,
   s.slot = slot;
   s.moments = Moments(moments);
   s.axis_sum = axis_sum;
-  for (const RawPointRecord& r : raw) s.raw.push_back({r.at, r.axis, e.variance_at(0), r.returned, e.counts.points, -1});
+  for (const RawPointRecord& r : raw)
+    s.raw.push_back({r.at, r.axis, e.variance_at(0), r.returned, e.counts.points, -1});
   s.variance_sum = e.variance_at(0) * static_cast<double>(s.moments.count());
   s.last_joined = e.counts.points;
   s.since_sum = static_cast<double>(e.counts.points) * static_cast<double>(s.moments.count());

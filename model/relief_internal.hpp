@@ -15,9 +15,7 @@ class Relief {
  public:
   struct Sum {
     double count = 0, x = 0, y = 0, height = 0;
-    void add(const Sum& other) {
-      count += other.count, x += other.x, y += other.y, height += other.height;
-    }
+    void add(const Sum& other) { count += other.count, x += other.x, y += other.y, height += other.height; }
     geometry::Point2 mean() const { return {x / count, y / count}; }
     double mean_height() const { return height / count; }
   };

@@ -4,6 +4,12 @@
 #include <algorithm>
 
 namespace limpet::model {
+namespace {
+
+constexpr double kFactor = 4;  ///< of the cells' widths from one level to the next
+constexpr double kSpan = 2;    ///< cells that a box may be wide
+
+}  // namespace
 
 /// The cells that a box touches.
 struct SpatialIndex::Grid::Range {
@@ -95,12 +101,6 @@ void SpatialIndex::Grid::remove(const Entry& entry) {
 
 void SpatialIndex::Grid::query(const Box3& box, std::vector<std::uint32_t>& found) const {
   const Range range = range_of(box);
-  if (range.low == range.high) {
-    if (const Cell* cell = find(range.low))
-      for (const Entry& e : *cell)
-        if (e.box.intersects(box)) found.push_back(e.slot);
-    return;
-  }
   // An entry is in several cells; it is told where its first corner within the query lies.
   const auto look = [&](const Cell& cell, const Index& at) {
     for (const Entry& e : cell)
@@ -120,17 +120,28 @@ void SpatialIndex::Grid::query(const Box3& box, std::vector<std::uint32_t>& foun
   }
 }
 
+void SpatialIndex::Grid::query(const Eigen::Vector3d& p, std::vector<std::uint32_t>& found) const {
+  const Cell* cell = find(index_of(p));
+  if (!cell) return;
+  for (const Entry& e : *cell) {
+    const Eigen::Vector3d &low = e.box.min(), &high = e.box.max();
+    if (p.x() >= low.x() && p.x() <= high.x() && p.y() >= low.y() && p.y() <= high.y() && p.z() >= low.z() &&
+        p.z() <= high.z())
+      found.push_back(e.slot);
+  }
+}
+
 std::size_t SpatialIndex::level_of(const Box3& box) const {
   const double extent = box.sizes().maxCoeff();
   std::size_t level = 0;
-  for (double width = smallest_; width < extent; width *= 4) ++level;
+  for (double width = smallest_; kSpan * width < extent; width *= kFactor) ++level;
   return level;
 }
 
 void SpatialIndex::insert(const Box3& box, std::uint32_t slot) {
   const std::size_t level = level_of(box);
   while (levels_.size() <= level)
-    levels_.emplace_back(levels_.empty() ? smallest_ : 4 * levels_.back().width());
+    levels_.emplace_back(levels_.empty() ? smallest_ : kFactor * levels_.back().width());
   levels_[level].insert({box, slot});
 }
 
@@ -140,6 +151,12 @@ void SpatialIndex::query(const Box3& box, std::vector<std::uint32_t>& found) con
   found.clear();
   for (const Grid& grid : levels_)
     if (grid.size() > 0) grid.query(box, found);
+}
+
+void SpatialIndex::query(const Eigen::Vector3d& point, std::vector<std::uint32_t>& found) const {
+  found.clear();
+  for (const Grid& grid : levels_)
+    if (grid.size() > 0) grid.query(point, found);
 }
 
 std::size_t SpatialIndex::size() const {

@@ -12,10 +12,9 @@ using Box3 = Eigen::AlignedBox3d;
 
 /// Finds the boxes of segments near a place, by their storage slot.
 ///
-/// A hierarchy of hashed grids: a box is kept on the level whose cells are just wider than itself, in the at
-/// most eight cells it touches; a small query looks at about one cell a level. Cells are four times as wide
-/// from one level to the next. Against an R-tree (Boost's), a query and a change cost a third, and
-/// nothing depends on the order of insertion.
+/// A hierarchy of hashed grids: a box is kept on the finest level on which it is at most two cells wide, in
+/// all cells it touches; a small query looks at one cell a level, or few. Cells are four times as wide from
+/// one level to the next. Queries and changes cost less than an R-tree's, whose boxes overlap much here.
 class SpatialIndex {
  public:
   /// `smallest` > 0: the width that most boxes do not exceed by much.
@@ -27,6 +26,8 @@ class SpatialIndex {
   void remove(const Box3&, std::uint32_t slot);
   /// Slots whose boxes meet `box`, in no particular order; `found` is cleared first.
   void query(const Box3& box, std::vector<std::uint32_t>& found) const;
+  /// Slots whose boxes hold `point`.
+  void query(const Eigen::Vector3d& point, std::vector<std::uint32_t>& found) const;
   std::size_t size() const;
 
  private:
@@ -40,11 +41,12 @@ class SpatialIndex {
   /// same share a place there, which costs time and nothing else.
   class Grid {
    public:
-    explicit Grid(double width) : width_(width), places_(16) {}
+    explicit Grid(double width) : width_(width), per_width_(1 / width), places_(16) {}
     double width() const { return width_; }
     void insert(const Entry&);
     void remove(const Entry&);
     void query(const Box3&, std::vector<std::uint32_t>& found) const;
+    void query(const Eigen::Vector3d&, std::vector<std::uint32_t>& found) const;
     std::size_t size() const { return size_; }
 
    private:
@@ -57,7 +59,7 @@ class SpatialIndex {
 
     static std::uint64_t key_of(const Index&);
     std::int64_t index(double x) const {  // rounded down
-      const double cells = x / width_;
+      const double cells = x * per_width_;
       const auto i = static_cast<std::int64_t>(cells);
       return i - (static_cast<double>(i) > cells);
     }
@@ -68,7 +70,7 @@ class SpatialIndex {
     std::size_t place_of(std::uint64_t key) const;
     void make_room();
 
-    double width_;
+    double width_, per_width_;
     std::vector<Place> places_;  ///< a power of two of them, at most half of them taken
     std::vector<Cell> cells_;
     std::size_t size_ = 0;

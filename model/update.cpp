@@ -47,8 +47,12 @@ void insert_readings(Engine& e, std::span<const SensorPoint> set) {
 /// Steps 2 and 3; whether anything changed.
 bool mergers_and_fissures(Engine& e) {
   bool any = dissolve_young(e);
+  e.stage_clock.lap(&StageTimes::dissolving);
   for (int round = 0; round < kMaxMergeRounds && merge_modified_polygons(e); ++round) any = true;
-  return fill_modified(e) || any;
+  e.stage_clock.lap(&StageTimes::mergers);
+  any |= fill_modified(e);
+  e.stage_clock.lap(&StageTimes::fissures);
+  return any;
 }
 
 /// Step 6.
@@ -115,16 +119,20 @@ void mark_all(Engine& e) {
 
 void update_set(Engine& e, std::span<const SensorPoint> set) {
   e.changes.clear();
+  e.stage_clock.start();
   insert_readings(e, set);
+  e.stage_clock.lap(&StageTimes::insertion);
   mergers_and_fissures(e);
   clear_flags(e);
   expire_outliers(e);
+  e.stage_clock.lap(&StageTimes::rest);
   ++e.counts.sets;
 }
 
 void finish(Engine& e) {
   e.changes.clear();
   if (!e.rules().finish) return;
+  e.stage_clock.start();
   for (const auto& s : e.segments)
     if (s && s->polygon) refit(e, *s);
   for (const auto& s : e.segments)  // the model has grown since: all points may try again
@@ -134,9 +142,11 @@ void finish(Engine& e) {
   release_all_point_segments(e);
   mark_all(e);
   e.refused_pairs.clear();
+  e.stage_clock.lap(&StageTimes::rest);
   for (int round = 0; round < kMaxFinishRounds; ++round) {
     const bool any = mergers_and_fissures(e) || drop_all_chance_holes(e);
     clear_flags(e);
+    e.stage_clock.lap(&StageTimes::rest);
     if (!any) break;
     mark_changed(e);
   }

@@ -111,10 +111,17 @@ TEST_F(BadInput, NothingButBadRecords) {
   expect_refused(model(write("n.xyz", "nan nan nan 0 0 1\n1 2 3 0 0 0\n")), "no point");
 }
 
-TEST_F(BadInput, NoAxes) {
+TEST_F(BadInput, NoAxesAndTooFewPointsToFindThem) {
   const auto bare = write("bare.xyz", "0 0 0\n1 0 0\n0 1 0\n");
-  expect_refused(model(bare), "--viewpoint");
+  expect_refused(model(bare), "--resolution");
   EXPECT_EQ(model(bare, {"--viewpoint", "0,0,-5", "--resolution", "1", "--noise", "0"}).code, 0);
+  EXPECT_EQ(model(bare, {"--resolution", "1", "--noise", "0"}).code, 0);
+}
+
+TEST_F(BadInput, FewPointsBecauseOfDamageIsDamage) {
+  expect_refused(model(write("bad.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 x 0 1\n")),
+                 "line 3: 'x' is not a number");
+  expect_refused(model(write("bare.xyz", "0 0 0\n1 0 0\n0 1\n")), "line 3");
 }
 
 TEST_F(BadInput, Outputs) {

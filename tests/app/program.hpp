@@ -10,12 +10,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "../temporary_folder.hpp"
 
 namespace limpet::app::testing {
 
@@ -32,29 +31,8 @@ struct Surroundings {
 };
 
 /// A test with a folder of its own, gone when it ends, and the program to run in it.
-class ProgramTest : public ::testing::Test {
+class ProgramTest : public limpet::testing::TemporaryFolder {
  protected:
-  ProgramTest() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("limpet-app-" + std::string(test->name()) + "-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  ~ProgramTest() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-
-  std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
-  }
-
-  static std::string read(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  }
-
   /// Starts the program; what it says goes to files.
   pid_t start(const std::vector<std::string>& arguments, const Surroundings& around = {}) const {
     const pid_t child = ::fork();
@@ -109,8 +87,6 @@ class ProgramTest : public ::testing::Test {
     if (file < 0 || ::dup2(file, to) < 0) ::_exit(125);
     ::close(file);
   }
-
-  std::filesystem::path folder_;
 };
 
 }  // namespace limpet::app::testing

@@ -2,54 +2,18 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limpet/io/error.hpp>
 #include <limpet/io/scan_reader.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "../temporary_folder.hpp"
+
 namespace limpet::io::testing {
 
-/// A test with a folder of its own, gone when it ends.
-class FileTest : public ::testing::Test {
- protected:
-  FileTest() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ =
-        std::filesystem::temp_directory_path() / ("limpet-" + std::string(test->test_suite_name()) + "-" +
-                                                  test->name() + "-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  ~FileTest() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
-  }
-
-  static std::string read(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  }
-
-  std::vector<std::string> names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_))
-      names.push_back(entry.path().filename());
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
- private:
-  std::filesystem::path folder_;
-};
+using FileTest = limpet::testing::TemporaryFolder;
 
 /// All a scan gave before its end or its damage.
 struct ScanResult {

@@ -46,6 +46,12 @@ void compare_with_brute_force(std::uint64_t seed, double scale, const Eigen::Vec
       if (box.intersects(asked)) expected.push_back(slot);
     std::sort(expected.begin(), expected.end());
     ASSERT_EQ(found, expected) << "seed " << seed << " round " << round;
+    std::vector<std::uint32_t> by_box, by_point;
+    index.query(Box3(asked.min(), asked.min()), by_box);
+    index.query(asked.min(), by_point);
+    std::sort(by_box.begin(), by_box.end());
+    std::sort(by_point.begin(), by_point.end());
+    ASSERT_EQ(by_point, by_box) << "seed " << seed << " round " << round;
   }
 }
 
@@ -59,9 +65,9 @@ TEST(SpatialIndex, TouchingIsMeeting) {
   SpatialIndex index;
   index.insert({Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1)}, 4);
   std::vector<std::uint32_t> found;
-  index.query({Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1, 1, 1)}, found);
+  index.query(Box3(Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1, 1, 1)), found);
   EXPECT_EQ(found, std::vector<std::uint32_t>{4});
-  index.query({Eigen::Vector3d(1.001, 1, 1), Eigen::Vector3d(2, 2, 2)}, found);
+  index.query(Box3(Eigen::Vector3d(1.001, 1, 1), Eigen::Vector3d(2, 2, 2)), found);
   EXPECT_TRUE(found.empty());
 }
 

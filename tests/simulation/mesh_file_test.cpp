@@ -1,28 +1,20 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limpet/simulation/mesh.hpp>
 #include <limpet/simulation/shapes.hpp>
+
+#include "../temporary_folder.hpp"
 
 namespace limpet::simulation {
 namespace {
 
-/// Writes files into a folder of its own and removes them.
-class MeshFile : public testing::Test {
+class MeshFile : public limpet::testing::TemporaryFolder {
  protected:
-  MeshFile() { std::filesystem::create_directories(folder_); }
-  ~MeshFile() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
   Mesh load(const std::string& name, const std::string& content) const {
-    std::ofstream(path(name), std::ios::binary) << content;
-    return load_mesh(path(name));
+    return load_mesh(write(name, content));
   }
 
   std::string error(const std::string& name, const std::string& content) const {
@@ -33,10 +25,6 @@ class MeshFile : public testing::Test {
     }
     return "no error";
   }
-
- private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("limpet_mesh_file_test_" + std::to_string(getpid()));
 };
 
 const std::string kTetrahedron = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";

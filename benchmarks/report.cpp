@@ -1,0 +1,131 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "report.hpp"
+
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+namespace limpet::benchmarks {
+namespace {
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::string text(32, '\0');
+  text.resize(std::strftime(text.data(), text.size(), "%Y-%m-%d", std::gmtime(&now)));
+  return text;
+}
+
+/// Parts are kept in files of their own, so that one can be measured anew; report.md is all of them.
+class Report {
+ public:
+  explicit Report(const ReportOptions& options) : folder_(options.folder) {
+    std::filesystem::create_directories(folder_);
+    where_ = "*Commit " + options.commit + ", " + today() + ", " + processor() + ", " +
+             std::to_string(std::thread::hardware_concurrency()) + " cores, g++ " __VERSION__ + ".*";
+  }
+
+  void add(const std::string& title, const std::string& said, const Table& table, const std::string& name,
+           bool has_picture = false) {
+    table.write_csv(folder_ + "/" + name + ".csv");
+    write(name + ".md", "## " + title + "\n\n" + said + " " + where_ + "\n\n" + table.markdown() +
+                            (has_picture ? "\n![" + title + "](" + name + ".png)\n" : ""));
+    std::string all = "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n";
+    for (const char* part : {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency"}) {
+      std::ifstream file(folder_ + "/" + part + ".md");
+      if (file) all += "\n" + std::string(std::istreambuf_iterator<char>(file), {});
+    }
+    write("report.md", all);
+  }
+
+ private:
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream file(folder_ + "/" + name);
+    if (!(file << text).flush()) throw std::runtime_error("cannot write " + folder_ + "/" + name);
+  }
+
+  std::string folder_, where_;
+};
+
+void add_throughput(const ReportOptions& options, const Limits& limits, Report& report) {
+  // At 10⁵ points a smaller city, and no room, so that λ stays well below what is to be seen.
+  struct Entry {
+    const char* shape;
+    std::int64_t points;
+    double noise_ratio = 0.002;
+  };
+  constexpr double kFineNoise = 0.0005;  // σ ≤ λ/10
+  constexpr std::int64_t kMany = 1'000'000;
+  ThroughputTables tables;
+  for (const Entry& e :
+       {Entry{"cube", 100'000}, Entry{"step_hole", 100'000, kFineNoise}, Entry{"city:20", 100'000},
+        Entry{"cube", kMany}, Entry{"step_hole", kMany, kFineNoise}, Entry{"city:100", kMany},
+        Entry{"room", kMany}})
+    for (const char* order : {"shuffled", "raster"}) {
+      ThroughputOptions throughput;
+      if (e.points == kMany && !options.full) throughput.runs = 1;
+      // The order hardly matters to the peers, and it is their time that the report takes.
+      if (order == std::string("raster") && !options.full) throughput.contestants = {"limpet"};
+      measure_throughput({.shape = e.shape, .order = order, .points = e.points, .noise_ratio = e.noise_ratio},
+                         throughput, limits, tables);
+      report.add("Throughput", "Planes found in the same cloud, each contestant in a process of its own.",
+                 tables.contestants, "throughput");
+      report.add("Where the time goes", "Nanoseconds per point of limpet, by stage.", tables.stages,
+                 "stages");
+    }
+}
+
+void add_streams(const ReportOptions& options, const Limits& limits, Report& report) {
+  const std::int64_t points = options.full ? 100'000'000 : 10'000'000;
+  report.add(
+      "Against the length of the stream",
+      "Points made on the fly, 1 % outliers, the same λ all along; memory is the peak so far.",
+      measure_streams({stream_of("cube", points, 100'000), stream_of("city:100", points, 1'000'000)}, limits),
+      "streams", true);
+}
+
+void add_sizes(const ReportOptions& options, const Limits& limits, Report& report) {
+  SizeOptions sizes;
+  sizes.throughput.contestants = {"limpet", "region_growing"};
+  sizes.throughput.runs = options.full ? 3 : 1;
+  sizes.throughput.stages = options.full;
+  if (options.full) sizes.boxes = {1, 3, 10, 30, 100, 300, 1000};
+  const ThroughputTables tables = measure_sizes(sizes, limits);
+  report.add("Against the size of the model", "Cities of n boxes, about 1,000 points for each face.",
+             tables.contestants, "sizes", true);
+  if (!tables.stages.empty())
+    report.add("Where the time goes in larger models", "Nanoseconds per point of limpet, by stage.",
+               tables.stages, "sizes_stages");
+}
+
+void add_latency(const ReportOptions& options, const Limits& limits, Report& report) {
+  LatencyOptions latency;
+  if (options.full) latency.boxes = 1000;
+  report.add("Latency of a set of 26 readings",
+             "Microseconds, while the model is built and after the whole city has been seen.",
+             measure_latency(latency, limits), "latency");
+}
+
+}  // namespace
+
+void write_report(const ReportOptions& options, Limits limits) {
+  if (options.full) limits.peer_seconds = std::max(limits.peer_seconds, 1800.0);
+  Report report(options);
+  const std::map<std::string, decltype(&add_latency)> parts{{"latency", add_latency},
+                                                            {"streams", add_streams},
+                                                            {"sizes", add_sizes},
+                                                            {"throughput", add_throughput}};
+  for (const std::string& name : options.parts) parts.at(name)(options, limits, report);
+}
+
+}  // namespace limpet::benchmarks

@@ -1,0 +1,71 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cloud.hpp"
+#include "table.hpp"
+
+/// What the report is made of. Each section runs its measurements one process after the other, tells their
+/// progress on standard error and returns tables.
+namespace limpet::benchmarks {
+
+struct Limits {
+  double peer_seconds = 60;      ///< for a process of a peer; beyond that it is ended and noted
+  double own_seconds = 3600;     ///< for any other process
+  std::string scratch = "/tmp";  ///< folder for clouds (56 bytes a point)
+};
+
+// ---- Throughput (throughput.cpp) ---------------------------------------------------------------
+
+/// Names: limpet, region_growing, ransac; the two latter also with _estimated, region_growing also with
+/// _sphere and _sphere_estimated.
+const std::vector<std::string>& contestant_names();
+
+struct ThroughputOptions {
+  std::vector<std::string> contestants{"limpet", "region_growing", "region_growing_estimated", "ransac"};
+  int runs = 3;       ///< of limpet; the best counts. Contestants take turns
+  int peer_runs = 1;  ///< of the others
+  bool stages = true;
+};
+struct ThroughputTables {
+  ThroughputTables();
+  Table contestants, stages;
+};
+/// All contestants on one cloud.
+void measure_throughput(const CloudSpec&, const ThroughputOptions&, const Limits&, ThroughputTables&);
+
+// ---- Cities of n boxes, as many points for each face (sizes.cpp) ---------------------------------
+
+struct SizeOptions {
+  std::vector<int> boxes{1, 3, 10, 30, 100};
+  std::vector<std::string> orders{"shuffled", "raster"};
+  std::int64_t points_per_face = 1000;
+  ThroughputOptions throughput;
+};
+ThroughputTables measure_sizes(const SizeOptions&, const Limits&);
+
+// ---- One long stream, looked at on its way (streams.cpp) -----------------------------------------
+
+struct StreamOptions {
+  CloudSpec spec;
+  std::int64_t first_mark = 100'000;
+};
+/// At the λ that suits the first mark, with 1 % outliers.
+StreamOptions stream_of(const std::string& shape, std::int64_t points, std::int64_t first_mark);
+Table measure_streams(const std::vector<StreamOptions>&, const Limits&);
+Json answer_stream(const Json& request);
+
+// ---- How long one set takes (latency.cpp) ---------------------------------------------------------
+
+struct LatencyOptions {
+  int boxes = 200;
+  std::vector<std::string> orders{"sampled", "raster"};
+  std::int64_t points_per_face = 1000;
+  std::int64_t points_after = 1'000'000;
+};
+Table measure_latency(const LatencyOptions&, const Limits&);
+Json answer_latency(const Json& request);
+
+}  // namespace limpet::benchmarks
