@@ -124,6 +124,7 @@ struct Engine {
     const double sigma = p.noise + (p.noise_per_range + p.noise_per_range2 * range) * range;
     return sigma * sigma + rounding;
   }
+  bool noise_grows() const { return parameters.noise_per_range > 0 || parameters.noise_per_range2 > 0; }
   Segment& at(std::uint32_t slot) { return *segments[slot]; }
   Segment* find(SegmentId);
   /// The segment if it is still in the slot it was in.

@@ -11,7 +11,7 @@
 namespace limpet::model::internal {
 namespace {
 
-constexpr double kFew = 6;          ///< points in a square that are not enough to tell its height
+constexpr double kFew = 6;           ///< points in a square that are not enough to tell its height
 constexpr double kBend = 1.0 / 8;    ///< part of the tolerance by which a surface may bend within λ
 constexpr double kKnown = 1.0 / 10;  ///< part of the tolerance to which its height is known at best
 
@@ -93,8 +93,7 @@ std::optional<LocalResidual> local_residual(const Engine& e, const Segment& poly
   const Relief::Sum near = part.relief.around(side_of(e), at);
   if (near.count == 0) return std::nullopt;
   const geometry::Plane plane = polygon.fit.plane();
-  const double height =
-      plane.height_of(p) - plane.height_of(part.chart.at(near.mean(), near.mean_height()));
+  const double height = plane.height_of(p) - plane.height_of(part.chart.at(near.mean(), near.mean_height()));
   const double way2 = geometry::squared_length(near.mean() - at) / (e.gap * e.gap);
   const double tolerance2 = e.parameters.tolerance * e.parameters.tolerance;
   return LocalResidual{height, polygon.variance() / near.count,
