@@ -45,6 +45,10 @@ void require_points(PointStream& scan, const ModelArguments& args) {
     const std::string none = scan.skipped() > 0 ? " (" + grouped(scan.skipped()) + " records are none)" : "";
     throw io::InputError(name, "holds no point" + none);
   }
+  if (args.noise && args.noise->varies() && scan.first()->point.range == 0) {
+    throw io::InputError(name,
+                         "does not say from how far its points were sensed; give --noise as one number");
+  }
 }
 
 /// A damaged scan has few points because of its damage: then that is what has to be said.

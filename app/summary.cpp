@@ -19,7 +19,8 @@ Summary summarise(const model::ModelRecord& model) {
   s.expired = model.expired;
   s.sets = model.sets;
   s.resolution = model.resolution;
-  s.noise = model.noise;
+  s.noise = {model.noise, model.noise_per_range, model.noise_per_range2};
+  s.tolerance = model.tolerance;
   s.polygons = static_cast<std::int64_t>(model.polygon_segments.size());
   s.segments = s.polygons + static_cast<std::int64_t>(model.point_segments.size());
   for (const auto& segment : model.point_segments) s.loose += segment.moments.count;
@@ -53,7 +54,10 @@ std::string to_json(const Summary& s) {
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["violations"] = s.violations;
   json["resolution"] = s.resolution;
-  json["noise"] = s.noise;
+  json["noise"] = s.noise.fixed;
+  json["noise_per_range"] = s.noise.per_range;
+  json["noise_per_range2"] = s.noise.per_range2;
+  json["tolerance"] = s.tolerance;
   json["interrupted"] = s.interrupted;
   json["damage"] = s.damage;
   // Names and messages may hold bytes that are no UTF-8.
@@ -71,8 +75,8 @@ std::string to_text(const Summary& s) {
          << " given up as outliers; " << grouped(s.refused) << " records were no point\n";
   }
   char line[160];
-  std::snprintf(line, sizeof line, "resolution %.4g, noise %.3g; %.2f s, %s points/s, %s MB\n", s.resolution,
-                s.noise, s.seconds,
+  std::snprintf(line, sizeof line, "resolution %.4g, noise %s, tolerance %.4g; %.2f s, %s points/s, %s MB\n",
+                s.resolution, short_text(s.noise).c_str(), s.tolerance, s.seconds,
                 grouped(s.seconds > 0 ? std::llround(static_cast<double>(s.points) / s.seconds) : 0).c_str(),
                 grouped(peak_memory_bytes() / 1'000'000).c_str());
   text << line;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limpet/app/arguments.hpp>
 #include <limpet/audit/laws.hpp>
 #include <limpet/model/record.hpp>
 #include <string>
@@ -23,7 +24,8 @@ struct Summary {
   std::int64_t corner_vertices = 0;
   std::int64_t violations = 0;  ///< the oracle's count
   double seconds = 0;           ///< reading and modelling; neither the oracle nor writing
-  double resolution = 0, noise = 0;
+  double resolution = 0, tolerance = 0;
+  NoiseArgument noise;
   bool interrupted = false;
   std::string damage;  ///< of the scan, after the last point
 

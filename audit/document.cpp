@@ -114,6 +114,7 @@ void read_header(Reader& reader, Document& document) {
   reader.take("angle", document.angle);
   reader.take("noise", document.noise);
   reader.take("tolerance", document.tolerance);
+  if (reader.keyword() == "growth") reader.take("growth", document.growth, document.growth2);
   reader.take("grid", document.step);
   std::string arithmetic;
   reader.take("arithmetic", arithmetic);
@@ -137,6 +138,7 @@ void read_raw(Reader& reader, Segment& segment) {
 
 void read_segment(Reader& reader, std::string_view keyword, Segment& segment) {
   reader.take(keyword, segment.id, segment.moments, segment.axis_sum);
+  if (reader.keyword() == "variance") reader.take("variance", segment.variance);
 }
 
 void read_cycles(Reader& reader, Polygon& polygon) {

@@ -36,6 +36,7 @@ struct Segment {
   std::uint64_t id = 0;
   Moments moments;
   Vector axis_sum{};
+  double variance = 0;  ///< sum over its points; 0 where the noise does not grow
   std::vector<RawPoint> raw;
 };
 
@@ -57,6 +58,7 @@ struct Polygon : Segment {
 /// A native model file, as written: nothing in it has been checked but its syntax.
 struct Document {
   double resolution = 0, angle = 0, noise = 0, tolerance = 0, step = 0;
+  double growth = 0, growth2 = 0;  ///< of the noise with the range and its square
   Arithmetic arithmetic = Arithmetic::kExact;
   std::string rules;
   std::uint64_t points = 0, refused = 0, expired = 0, sets = 0;

@@ -50,7 +50,8 @@ bool is_finite(const Polygon& polygon) {
 void judge_finite(const Document& document, Report& report) {
   const char* law = "finite";
   const char* what = "a number is not finite";
-  if (!are_finite({document.resolution, document.angle, document.noise, document.tolerance, document.step}))
+  if (!are_finite({document.resolution, document.angle, document.noise, document.tolerance, document.step,
+                   document.growth, document.growth2}))
     report.add(law, "header", what);
   for (const Segment& segment : document.point_segments)
     if (!is_finite(segment)) report.add(law, segment_name(segment), what);
@@ -67,6 +68,7 @@ void judge_parameters(const Document& document, Report& report) {
   demand_not(document.angle <= 0 || document.angle >= std::acos(0.0), "angle is not in (0, pi/2)");
   demand_not(document.noise < 0, "noise is below 0");
   demand_not(document.tolerance < 0, "tolerance is below 0");
+  demand_not(document.growth < 0 || document.growth2 < 0, "the noise shrinks with the range");
   int exponent = 0;
   demand_not(std::isfinite(document.step) && std::frexp(document.step, &exponent) != 0.5,
              "the grid step is not a power of two");

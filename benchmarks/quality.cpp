@@ -43,7 +43,7 @@ struct Arguments {
   int seeds = 1, first_seed = 1;
   std::size_t set_size = 26;
   std::int64_t audit_every = 0;
-  double resolution = 0, move = 0, scale = 1;
+  double resolution = 0, tolerance = 0, move = 0, scale = 1;
   std::string rules = "limpet", csv, keep;
 };
 
@@ -127,6 +127,7 @@ Run run(const Arguments& args, const Case& c, int seed) {
   model::Parameters parameters;
   parameters.resolution = args.scale * c.resolution;
   parameters.noise = args.scale * c.noise;
+  parameters.tolerance = args.tolerance * parameters.resolution;
   parameters.rules = model::Rules::parse(args.rules);
   model::Model model(parameters);
   model.keep_labels();
@@ -244,6 +245,7 @@ int main(int argc, char** argv) {
   app.add_option("--keep", args.keep, "folder for the models");
   app.add_option("--audit-every", args.audit_every, "the oracle after every Nth set (and always at the end)");
   app.add_option("--resolution", args.resolution, "instead of the rule above; all cases then count");
+  app.add_option("--tolerance", args.tolerance, "as a fraction of the resolution; 0: by noise");
   app.add_option("--move", args.move, "by this many times (10^6, -10^6, 10^3)");
   app.add_option("--scale", args.scale);
   CLI11_PARSE(app, argc, argv);

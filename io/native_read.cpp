@@ -7,6 +7,7 @@
 #include <limpet/io/error.hpp>
 #include <limpet/io/native.hpp>
 #include <limpet/io/text.hpp>
+#include <utility>
 
 namespace limpet::io {
 namespace {
@@ -23,6 +24,7 @@ class Fields {
 
   /// Goes to the next line that is no comment.
   void line() {
+    if (std::exchange(kept_, false)) return;
     do {
       ++line_;
       if (!std::getline(stream_, text_)) fail("the file ends before its 'end' line (truncated?)");
@@ -30,6 +32,14 @@ class Fields {
     } while (text_.starts_with('#'));
     rest_ = text_;
     ended_ = false;
+  }
+
+  /// The next line that is no comment begins with this word; otherwise it is kept for line().
+  bool optional_line(std::string_view word) {
+    line();
+    if (rest_.substr(0, rest_.find(' ')) == word) return field(), true;
+    kept_ = true;
+    return false;
   }
 
   void line(std::string_view word) {
@@ -96,6 +106,7 @@ class Fields {
   std::string text_;
   std::string_view rest_;
   bool ended_ = true;
+  bool kept_ = false;
 };
 
 double single(Fields& in, std::string_view word) {
@@ -139,6 +150,10 @@ Segment begin_segment(Fields& in, std::string_view word) {
   segment.moments = read_moments(in);
   segment.axis_sum = in.vector();
   in.done();
+  if (in.optional_line("variance")) {
+    segment.variance_sum = in.real();
+    in.done();
+  }
   return segment;
 }
 
@@ -192,6 +207,11 @@ void read_head(Fields& in, model::ModelRecord& model) {
   model.angle_rad = single(in, "angle");
   model.noise = single(in, "noise");
   model.tolerance = single(in, "tolerance");
+  if (in.optional_line("growth")) {
+    model.noise_per_range = in.real();
+    model.noise_per_range2 = in.real();
+    in.done();
+  }
   model.grid_step = single(in, "grid");
   int exponent = 0;
   if (!(model.grid_step > 0) || std::frexp(model.grid_step, &exponent) != 0.5) {

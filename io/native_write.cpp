@@ -59,13 +59,20 @@ void write_raw(std::string& text, const std::vector<model::RawPointRecord>& raw)
   }
 }
 
+/// Where the noise is the same everywhere it says nothing and is left out.
+void write_variance(std::string& text, double sum) {
+  if (sum != 0) Line(text, "variance") << sum;
+}
+
 void write_segment(std::string& text, const model::PointSegmentRecord& segment) {
   Line(text, "point") << segment.id << segment.moments << segment.axis_sum;
+  write_variance(text, segment.variance_sum);
   write_raw(text, segment.raw);
 }
 
 void write_segment(std::string& text, const model::PolygonSegmentRecord& segment) {
   Line(text, "polygon") << segment.id << segment.moments << segment.axis_sum;
+  write_variance(text, segment.variance_sum);
   Line(text, "chart") << segment.chart_origin << segment.chart_u << segment.chart_v << segment.chart_normal;
   Line(text, "height") << segment.height[0] << segment.height[1] << segment.height[2];
   Line(text, "initial") << segment.initial_centroid << segment.initial_normal;
@@ -85,6 +92,8 @@ void write_head(std::string& text, const model::ModelRecord& model) {
   Line(text, "angle") << model.angle_rad;
   Line(text, "noise") << model.noise;
   Line(text, "tolerance") << model.tolerance;
+  if (model.noise_per_range > 0 || model.noise_per_range2 > 0)
+    Line(text, "growth") << model.noise_per_range << model.noise_per_range2;
   Line(text, "grid") << model.grid_step;
   text += "arithmetic " + word(model.arithmetic, "arithmetic") + "\n";
   text += "rules " + word(model.rules, "rules") + "\n";

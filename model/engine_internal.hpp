@@ -69,6 +69,7 @@ struct Segment {
   double since_sum = 0;       ///< of its points while young: counts.points when they came
   std::int64_t last_joined = 0;
   Box3 indexed;  ///< as it is in the spatial index
+  bool indexed_as_polygon = false;
   bool modified = false;
   std::unique_ptr<PolygonPart> polygon;  ///< none: a point segment
 
@@ -93,7 +94,7 @@ struct Engine {
   std::uint64_t next_segment = 1;
   std::vector<std::unique_ptr<Segment>> segments;  ///< by slot
   std::vector<std::uint32_t> free_slots;
-  SpatialIndex index;
+  SpatialIndex polygons, points;     ///< of polygon and point segments, boxes fattened by λ
   double modelled_area = 0;          ///< of all polygons, λ²
   std::int64_t modelled_points = 0;  ///< in all polygons
 
@@ -124,6 +125,7 @@ struct Engine {
     const double sigma = p.noise + (p.noise_per_range + p.noise_per_range2 * range) * range;
     return sigma * sigma + rounding;
   }
+  bool noise_grows() const { return parameters.noise_per_range > 0 || parameters.noise_per_range2 > 0; }
   Segment& at(std::uint32_t slot) { return *segments[slot]; }
   Segment* find(SegmentId);
   /// The segment if it is still in the slot it was in.
@@ -156,7 +158,7 @@ Box3 perimeter_box(const PolygonPart&);
 
 // places.cpp
 /// Slots of segments near the places, in ascending order.
-void query(const Engine&, const Places&, std::vector<std::uint32_t>& found);
+void query(const SpatialIndex&, const Places&, std::vector<std::uint32_t>& found);
 /// Where those of the edges lie that are still there.
 Places places_of(const PolygonPart&, std::span<const std::pair<geometry::Slot, geometry::EdgeId>> edges);
 

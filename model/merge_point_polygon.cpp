@@ -12,8 +12,17 @@
 
 namespace limpet::model::internal {
 
+namespace {
+
+/// The same by noise alone.
+double noise_limit(const Segment& polygon, const Eigen::Vector3d& p, double variance) {
+  return 9 * (variance + polygon.fit.height_variance(p, polygon.variance()));
+}
+
+}  // namespace
+
 double residual_limit(const Engine& e, const Segment& polygon, const Eigen::Vector3d& p, double variance) {
-  const double by_noise = 9 * (variance + polygon.fit.height_variance(p, polygon.variance()));
+  const double by_noise = noise_limit(polygon, p, variance);
   // A young polygon's plane is not known well enough to tell what lies off it.
   if (e.rules().relief && polygon.young()) return by_noise;
   return std::max(by_noise, e.parameters.tolerance * e.parameters.tolerance);
@@ -33,7 +42,9 @@ Standing standing(const Engine& e, const Segment& s, const Eigen::Vector3d& p, c
   if (relief_kept(e) && s.mature_polygon()) {
     if (const auto local = local_residual(e, s, p)) {
       result.residual2 = local->height * local->height;
-      if (result.residual2 > 9 * (variance + local->variance) + local->bend2) return result;
+      if (squared_residual > noise_limit(s, p, variance) &&
+          result.residual2 > 9 * (variance + local->variance) + local->bend2)
+        return result;
     }
   }
   if (result.outside) {

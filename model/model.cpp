@@ -11,6 +11,8 @@ Parameters parameters_of(const ModelRecord& r) {
   p.resolution = r.resolution;
   p.angle_rad = r.angle_rad;
   p.noise = r.noise;
+  p.noise_per_range = r.noise_per_range;
+  p.noise_per_range2 = r.noise_per_range2;
   p.tolerance = r.tolerance;
   p.rules = Rules::parse(r.rules);
   return p;

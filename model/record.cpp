@@ -18,7 +18,7 @@ std::vector<RawPointRecord> raw_records(const Segment& s) {
 }
 
 PointSegmentRecord point_record(const Segment& s) {
-  return {s.id.value, s.moments.record(), s.axis_sum, raw_records(s)};
+  return {s.id.value, s.moments.record(), s.axis_sum, raw_records(s), 0};
 }
 
 PolygonSegmentRecord polygon_record(const Segment& s) {
@@ -43,7 +43,8 @@ PolygonSegmentRecord polygon_record(const Segment& s) {
 }
 
 Segment& segment_from(Engine& e, std::uint64_t id, const MomentsRecord& moments,
-                      const Eigen::Vector3d& axis_sum, const std::vector<RawPointRecord>& raw) {
+                      const Eigen::Vector3d& axis_sum, double variance_sum,
+                      const std::vector<RawPointRecord>& raw) {
   const auto slot = static_cast<std::uint32_t>(e.segments.size());
   e.segments.push_back(std::make_unique<Segment>());
   Segment& s = *e.segments.back();
@@ -51,9 +52,9 @@ Segment& segment_from(Engine& e, std::uint64_t id, const MomentsRecord& moments,
   s.slot = slot;
   s.moments = Moments(moments);
   s.axis_sum = axis_sum;
+  s.variance_sum = e.noise_grows() ? variance_sum : e.variance_at(0) * static_cast<double>(s.moments.count());
   for (const RawPointRecord& r : raw)
-    s.raw.push_back({r.at, r.axis, e.variance_at(0), r.returned, e.counts.points, -1});
-  s.variance_sum = e.variance_at(0) * static_cast<double>(s.moments.count());
+    s.raw.push_back({r.at, r.axis, s.variance(), r.returned, e.counts.points, -1});
   s.last_joined = e.counts.points;
   s.since_sum = static_cast<double>(e.counts.points) * static_cast<double>(s.moments.count());
   e.slot_of[id] = slot;
@@ -61,7 +62,7 @@ Segment& segment_from(Engine& e, std::uint64_t id, const MomentsRecord& moments,
 }
 
 void polygon_from(Engine& e, const PolygonSegmentRecord& r) {
-  Segment& s = segment_from(e, r.id, r.moments, r.axis_sum, r.raw);
+  Segment& s = segment_from(e, r.id, r.moments, r.axis_sum, r.variance_sum, r.raw);
   s.polygon = std::make_unique<PolygonPart>();
   PolygonPart& part = *s.polygon;
   part.chart = geometry::Chart(r.chart_origin, r.chart_u, r.chart_v, r.chart_normal, e.step);
@@ -94,6 +95,8 @@ ModelRecord to_record(const Engine& e) {
   r.resolution = e.parameters.resolution;
   r.angle_rad = e.parameters.angle_rad;
   r.noise = e.parameters.noise;
+  r.noise_per_range = e.parameters.noise_per_range;
+  r.noise_per_range2 = e.parameters.noise_per_range2;
   r.tolerance = e.parameters.tolerance;
   r.grid_step = e.step;
   r.arithmetic = geometry::arithmetic();
@@ -110,6 +113,9 @@ ModelRecord to_record(const Engine& e) {
       r.polygon_segments.push_back(polygon_record(*s));
     else
       r.point_segments.push_back(point_record(*s));
+    if (e.noise_grows())
+      (s->polygon ? r.polygon_segments.back().variance_sum : r.point_segments.back().variance_sum) =
+          s->variance_sum;
   }
   const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
   std::sort(r.point_segments.begin(), r.point_segments.end(), by_id);
@@ -125,7 +131,7 @@ void from_record(Engine& e, const ModelRecord& r) {
   e.next_segment = r.next_segment;
   e.edge_ids = geometry::EdgeIds(r.next_edge);
   for (const PointSegmentRecord& p : r.point_segments) {
-    Segment& s = segment_from(e, p.id, p.moments, p.axis_sum, p.raw);
+    Segment& s = segment_from(e, p.id, p.moments, p.axis_sum, p.variance_sum, p.raw);
     s.fit = fit_to(s.moments, e.step, s.axis_sum);
     e.by_age.emplace_back(s.last_joined, s.id);
     update_index(e, s);

@@ -32,6 +32,7 @@ struct PointSegmentRecord {
   MomentsRecord moments;
   Eigen::Vector3d axis_sum = Eigen::Vector3d::Zero();
   std::vector<RawPointRecord> raw;
+  double variance_sum = 0;  ///< of its points about their plane; only where the noise grows with the range
 };
 
 /// A vertex and the edge that leaves it anticlockwise. x, y are chart coordinates in grid steps (whole
@@ -60,13 +61,15 @@ struct PolygonSegmentRecord {
   /// (clockwise).
   std::vector<std::vector<VertexRecord>> cycles;
   std::vector<RawPointRecord> raw;
+  double variance_sum = 0;  ///< of its points about their plane; only where the noise grows with the range
 };
 
 /// Everything a model is, as plain data: what the native file holds (docs/native_format.md).
 struct ModelRecord {
-  double resolution = 0;     ///< λ, scan's unit
-  double angle_rad = 0;      ///< μ
-  double noise = 0;          ///< standard deviation of a reading along its axis, scan's unit
+  double resolution = 0;  ///< λ, scan's unit
+  double angle_rad = 0;   ///< μ
+  double noise = 0;       ///< standard deviation of a reading along its axis, scan's unit
+  double noise_per_range = 0, noise_per_range2 = 0;  ///< what it grows by with the range and its square
   double tolerance = 0;      ///< how far a surface may be from its plane, scan's unit; 0: by noise alone
   double grid_step = 0;      ///< a power of two, scan's unit
   std::string arithmetic;    ///< "exact", "float-grid" or "float"

@@ -11,8 +11,9 @@
 namespace limpet::model::internal {
 namespace {
 
-constexpr double kFew = 6;          ///< points in a square that are not enough to tell its height
-constexpr double kBend = 1.0 / 20;  ///< slope by which a surface may leave its plane
+constexpr double kFew = 6;           ///< points in a square that are not enough to tell its height
+constexpr double kBend = 1.0 / 8;    ///< part of the tolerance by which a surface may bend within λ
+constexpr double kKnown = 1.0 / 10;  ///< part of the tolerance to which its height is known at best
 
 double side_of(const Engine& e) { return 2 * e.gap; }
 
@@ -93,8 +94,10 @@ std::optional<LocalResidual> local_residual(const Engine& e, const Segment& poly
   if (near.count == 0) return std::nullopt;
   const geometry::Plane plane = polygon.fit.plane();
   const double height = plane.height_of(p) - plane.height_of(part.chart.at(near.mean(), near.mean_height()));
-  const double bend2 = kBend * kBend * e.step * e.step * geometry::squared_length(near.mean() - at);
-  return LocalResidual{height, polygon.variance() / near.count, bend2};
+  const double way2 = geometry::squared_length(near.mean() - at) / (e.gap * e.gap);
+  const double tolerance2 = e.parameters.tolerance * e.parameters.tolerance;
+  return LocalResidual{height, polygon.variance() / near.count,
+                       tolerance2 * (kBend * kBend * way2 + kKnown * kKnown)};
 }
 
 bool surfaces_continue(const Engine& e, const Segment& large, const Segment& small) {

@@ -30,10 +30,10 @@ class Sensor {
     // The same numbers are drawn for every reading, so outliers do not change the noise of the others.
     const bool is_outlier = random_.uniform() < options_.outliers;
     const double error = (options_.noise + options_.noise_per_range * range) * random_.normal();
-    if (!is_outlier) return {{position + error * axis, axis}, face};
+    if (!is_outlier) return {{position + error * axis, axis, range}, face};
     Vector3d anywhere;
     for (int k = 0; k < 3; ++k) anywhere[k] = random_.uniform(low_[k], high_[k]);
-    return {{anywhere, axis}, -1};
+    return {{anywhere, axis, range}, -1};
   }
 
  private:

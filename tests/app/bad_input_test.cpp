@@ -78,10 +78,11 @@ TEST_F(BadInput, ResolutionAngleAndNoiseOutOfRange) {
   for (const std::string value : {"0", "90", "-5", "x"}) {
     expect_refused(model(scan_file, {"--angle", value}), "--angle");
   }
-  for (const std::string value : {"-1", "x", "1,2,3", "nan", ","}) {
+  for (const std::string value : {"-1", "x", "1,2,3,4", "0.1,-1", "nan", ","}) {
     expect_refused(model(scan_file, {"--noise", value}), "--noise");
   }
-  expect_refused(model(scan_file, {"--noise", "0.001,0.002"}), "not supported yet");
+  // These readings say along which axes, but not from how far, they were taken.
+  expect_refused(model(scan_file, {"--noise", "0.001,0.002"}), "give --noise as one number");
   expect_refused(model(scan_file, {"--tolerance", "-1"}), "--tolerance");
   expect_refused(model(scan_file, {"--set-size", "0"}), "--set-size");
   expect_refused(model(scan_file, {"--viewpoint", "1,2"}), "--viewpoint");

@@ -50,7 +50,7 @@ TEST_F(RoundTrip, WhatIsNotGivenIsChosenAndSaid) {
   const auto result =
       run({"model", scan("c.ply", "cube", 20000, {"--noise", "0.001"}), "-o", path("m.limpet")});
   EXPECT_EQ(result.code, 0);
-  EXPECT_NE(result.out.find("chosen from the scan: resolution 0.0"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("chosen from the scan: --resolution 0.0"), std::string::npos) << result.out;
   EXPECT_EQ(run({"compare", path("m.limpet"), "cube", "--faces", "exact"}).code, 0);
 }
 
