@@ -44,7 +44,8 @@ TEST_P(EstimateTest, SpacingAndNoiseComeNearTheTruth) {
   const double spacing = std::sqrt(area / static_cast<double>(points.size()));
   EXPECT_EQ(found.points, static_cast<std::int64_t>(points.size()));
   EXPECT_NEAR(std::sqrt(found.area_per_point) / spacing, 1, 0.3);
-  EXPECT_NEAR(found.noise, c.noise, 0.3 * c.noise);
+  EXPECT_NEAR(found.noise.fixed, c.noise, 0.3 * c.noise);
+  EXPECT_FALSE(found.noise.varies());
 }
 
 using Order = simulation::ScanOptions::Order;
