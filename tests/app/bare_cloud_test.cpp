@@ -51,6 +51,20 @@ TEST_F(BareCloud, IsOrientedByItsNeighboursWithAWarning) {
   EXPECT_EQ(labels.substr(0, 2), "0\n");
 }
 
+/// Coordinates to the millimetre, and faces along the axes: few different ones, which says nothing of the
+/// noise.
+TEST_F(BareCloud, RoundedCoordinatesAreNoNoise) {
+  std::string text;
+  for (int i = 0; i < 10'000; ++i) {
+    char line[64];
+    std::snprintf(line, sizeof line, "0.1 %.3f %.3f\n", 0.013 * (i % 100), 0.013 * (i / 100));
+    text += line;
+  }
+  const auto result = run({"model", write("wall.xyz", text), "-o", path("m.limpet"), "--json", "-"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find("\"polygons\": 1,"), std::string::npos) << result.out;
+}
+
 TEST_F(BareCloud, FromStandardInputToo) {
   const std::string cloud = bare("bare.xyz", "step_hole", 20'000);
   ASSERT_EQ(run(model(cloud, "file")).code, 0);
