@@ -27,7 +27,8 @@ void EdgeIndex::reset(const Box2& box, std::size_t edges) {
   // A quarter of room on every side, so that a growing perimeter seldom asks for a new grid.
   grid_ = CellGrid(box.grown(rounded_down(std::max(width, height) / 4) + 4), edges);
   built_for_ = edges;
-  cells_.assign(grid_.count(), Cell{});
+  states_.assign(grid_.count(), 0);
+  edges_.assign(grid_.count(), {});
 }
 
 Point2 EdgeIndex::reference(int i, int j) const {
@@ -36,16 +37,20 @@ Point2 EdgeIndex::reference(int i, int j) const {
 }
 
 void EdgeIndex::add(std::uint32_t slot, Point2 a, Point2 b) {
-  grid_.for_cells_on(a, b, [&](std::size_t cell) { cells_[cell].edges.push_back(slot); });
+  grid_.for_cells_on(a, b, [&](std::size_t cell) {
+    edges_[cell].push_back(slot);
+    states_[cell] |= kHasEdges;
+  });
 }
 
 void EdgeIndex::remove(std::uint32_t slot, Point2 a, Point2 b) {
   grid_.for_cells_on(a, b, [&](std::size_t cell) {
-    auto& edges = cells_[cell].edges;
+    auto& edges = edges_[cell];
     for (auto& e : edges)
       if (e == slot) {
         e = edges.back();
         edges.pop_back();
+        if (edges.empty()) states_[cell] &= static_cast<unsigned char>(~kHasEdges);
         return;
       }
   });
@@ -85,7 +90,7 @@ void EdgeIndex::flip(std::span<const Segment2> sweep) {
     bool odd = false;  // crossings to the right of reference i
     for (int i = width; i-- > 0;) {
       odd ^= crossings[static_cast<std::size_t>(j - j0) * (width + 1) + i + 1] != 0;
-      cells_[grid_.index(i0 + i, j)].inside ^= odd;
+      if (odd) states_[grid_.index(i0 + i, j)] ^= kInside;
     }
   }
 }

@@ -31,13 +31,13 @@ class EdgeIndex {
  public:
   static constexpr std::size_t kMinimum = 24;
 
-  bool active() const { return !cells_.empty(); }
+  bool active() const { return !states_.empty(); }
   /// Can it hold edges in this box, at this number of edges, without being built anew?
   bool fits(const Box2& box, std::size_t edges) const;
 
   /// Starts anew for a boundary of `edges` edges in `box`; all edges are then added by add().
   void reset(const Box2& box, std::size_t edges);
-  void clear() { cells_.clear(); }
+  void clear() { states_.clear(), edges_.clear(); }
   void add(std::uint32_t slot, Point2 a, Point2 b);
   void remove(std::uint32_t slot, Point2 a, Point2 b);
 
@@ -47,10 +47,15 @@ class EdgeIndex {
   /// The edges of p's cell, its reference point and whether that is inside. Precondition: active, p in the
   /// box.
   struct Cell {
-    std::vector<std::uint32_t> edges;
+    std::span<const std::uint32_t> edges;
     bool inside = false;
   };
-  const Cell& cell_at(Point2 p) const { return cells_[grid_.index(grid_.column(p.x), grid_.row(p.y))]; }
+  Cell cell_at(Point2 p) const {
+    const std::size_t i = grid_.index(grid_.column(p.x), grid_.row(p.y));
+    const bool inside = (states_[i] & kInside) != 0;
+    if ((states_[i] & kHasEdges) == 0) return {{}, inside};
+    return {edges_[i], inside};
+  }
   Point2 reference_at(Point2 p) const { return reference(grid_.column(p.x), grid_.row(p.y)); }
   bool covers(Point2 p) const { return grid_.box().contains(p); }
 
@@ -65,9 +70,12 @@ class EdgeIndex {
     const int i0 = grid_.column(box.low.x), i1 = grid_.column(box.high.x);
     const int j0 = grid_.row(box.low.y), j1 = grid_.row(box.high.y);
     for (int j = j0; j <= j1; ++j)
-      for (int i = i0; i <= i1; ++i)
-        for (const std::uint32_t slot : cells_[grid_.index(i, j)].edges)
+      for (int i = i0; i <= i1; ++i) {
+        const std::size_t cell = grid_.index(i, j);
+        if ((states_[cell] & kHasEdges) == 0) continue;
+        for (const std::uint32_t slot : edges_[cell])
           if (f(slot)) return true;
+      }
     return false;
   }
 
@@ -78,7 +86,10 @@ class EdgeIndex {
 
   CellGrid grid_;
   std::size_t built_for_ = 0;
-  std::vector<Cell> cells_;
+  // Most cells have no edges: what is asked of them is kept apart, and small.
+  static constexpr unsigned char kInside = 1, kHasEdges = 2;
+  std::vector<unsigned char> states_;  ///< by cell; kInside is about its reference point
+  std::vector<std::vector<std::uint32_t>> edges_;
 };
 
 }  // namespace limpet::geometry

@@ -76,7 +76,8 @@ Polygon::Side Polygon::locate(Point2 p) const {
   }
   // From p straight to the reference point of its cell: each edge crossed on the way changes the side. The
   // reference counts as a little further in +x, as in flip(): beyond 2^26 steps it may lie on an edge.
-  const EdgeIndex::Cell& cell = index_.cell_at(p);
+  const EdgeIndex::Cell cell = index_.cell_at(p);
+  if (cell.edges.empty()) return cell.inside ? Side::inside : Side::outside;
   const Point2 r = index_.reference_at(p);
   const Box2 way = box_of(p, r);
   const auto left_of_way = [&](Point2 v) {

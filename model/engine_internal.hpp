@@ -56,13 +56,14 @@ struct PolygonPart {
   std::vector<std::pair<geometry::Slot, geometry::EdgeId>> fresh;  ///< edges not yet looked at for fissures
 };
 
-struct Segment {
+struct alignas(64) Segment {
+  Fit fit;
+  std::unique_ptr<PolygonPart> polygon;  ///< none: a point segment
   SegmentId id;
   std::uint32_t slot = 0;
   Moments moments;
   Eigen::Vector3d axis_sum = Eigen::Vector3d::Zero();
-  double variance_sum = 0;  ///< of its points
-  Fit fit;
+  double variance_sum = 0;    ///< of its points
   std::int64_t next_fit = 0;  ///< count at which the fit is computed anew
   std::vector<RawPoint> raw;  ///< all its points while young, else none
   std::size_t seen = 0;       ///< of these, how many dissolve_young() has tried on mature polygons
@@ -71,7 +72,6 @@ struct Segment {
   Box3 indexed;  ///< as it is in the spatial index
   bool indexed_as_polygon = false;
   bool modified = false;
-  std::unique_ptr<PolygonPart> polygon;  ///< none: a point segment
 
   /// Mean variance of a point about its plane.
   double variance() const {

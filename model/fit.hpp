@@ -13,11 +13,12 @@ namespace limpet::model {
 /// ≥ u3 of the covariance (scan's unit squared) and their axes. The normal belongs to u3; its side is the
 /// caller's to choose.
 struct Fit {
+  // What every point asks for comes first, in one line of the cache.
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis1 = Eigen::Vector3d::UnitX(), axis2 = Eigen::Vector3d::UnitY();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  double u1 = 0, u2 = 0, u3 = 0;
-  double count = 0;
+  double u2 = 0, count = 0;
+  double u1 = 0, u3 = 0;
+  Eigen::Vector3d axis1 = Eigen::Vector3d::UnitX(), axis2 = Eigen::Vector3d::UnitY();
 
   /// Variance about the point of best fit, s_pt² (thesis §2.2); the variance about the plane, s_pp², is u3.
   double point_variance() const { return u1 + u2 + u3; }
