@@ -40,7 +40,8 @@ Orientation orient(const Cloud& cloud) {
     for (const auto& p : cloud.points) take({p.point.position, Eigen::Vector3d::Zero()});
   });
   const double resolution = suitable_resolution(found, found.noise);
-  Orientation orientation(Orientation::suitable_edge(found.area_per_point, found.noise, resolution));
+  Orientation orientation(
+      Orientation::suitable_edge(found.area_per_point, found.noise.at(found.far_range), resolution));
   for (const auto& p : cloud.points) orientation.add(p.point.position);
   orientation.solve();
   return orientation;
