@@ -108,14 +108,15 @@ void orient(PointStream& scan, const ModelArguments& args, double resolution) {
   const std::int64_t most = scan.is_standard_input() ? kLookAheadStream : kLookAheadFile;
   const Estimate found = estimate([&](const Take& take) { scan.look_ahead(most, take); });
   scan.orient(Orientation::suitable_edge(found.area_per_point, found.noise.at(found.far_range), resolution));
+  if (args.orient) return;
   const int pieces = scan.orientation()->components();
   std::fprintf(
       stderr,
       "limpet: warning: %s says neither normals nor sensing axes; oriented by neighbour consistency, "
-      "%s turned up and outward; if it was scanned from elsewhere, give --viewpoint x,y,z, where the "
+      "%s, turned up and outward; if it was scanned from elsewhere, give --viewpoint x,y,z, where the "
       "sensor stood\n",
       scan.is_standard_input() ? "standard input" : args.scan.c_str(),
-      pieces == 1 ? "as one piece" : ("in " + grouped(pieces) + " pieces, each").c_str());
+      pieces == 1 ? "as one piece" : ("in " + grouped(pieces) + " pieces").c_str());
 }
 
 /// How many records without a point stand before which point, for --labels.
@@ -144,7 +145,7 @@ class Gaps {
 class Run {
  public:
   explicit Run(const ModelArguments& args)
-      : args_(args), scan_(args.scan, {args.viewpoint, {}, {}}), stages_(args.stages) {}
+      : args_(args), scan_(args.scan, {args.viewpoint, args.orient, {}, {}}), stages_(args.stages) {}
 
   int go() {
     require_points(scan_, args_);

@@ -30,6 +30,7 @@ struct ModelArguments {
   std::optional<double> tolerance;     ///< scan's unit; by noise and resolution when not given
   std::int64_t set_size = 26;
   std::optional<Eigen::Vector3d> viewpoint;
+  bool orient = false;  ///< find the axes by neighbour consistency, whatever the scan says
   model::Rules rules;
   std::string labels;
   std::string json;

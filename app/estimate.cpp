@@ -100,7 +100,8 @@ std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis)
   if (cosine < 0.2) return std::nullopt;
   // The centre is one of the points: of the others there are m - 1 in the disc.
   const double others = static_cast<double>(around.points.size() - 1) * around.weight;
-  return Patch{M_PI * around.radius * around.radius / others, noise_of(around, axis, thickness / cosine)};
+  return Patch{M_PI * around.radius * around.radius / others,
+               noise_of(around, has_axis ? axis : found.thinnest, thickness / cosine)};
 }
 
 /// The sample as a tree, for neighbourhoods of any number of points.

@@ -71,9 +71,12 @@ void add_model(CLI::App& root, Command& chosen) {
                 true, [args](double length) { args->tolerance = length; });
   app.add_option("--set-size", args->set_size, "Sensor points in a set (default 26)")
       ->check(CLI::Range(1, 1'000'000));
-  text_option(app, "--viewpoint", "X,Y,Z",
-              "Where the sensor stood, for scans without axes and normals (default: by neighbours)",
-              [args](const std::string& text) { args->viewpoint = parse_vector("--viewpoint", text); });
+  const auto viewpoint =
+      text_option(app, "--viewpoint", "X,Y,Z",
+                  "Where the sensor stood, for scans without axes and normals (default: by neighbours)",
+                  [args](const std::string& text) { args->viewpoint = parse_vector("--viewpoint", text); });
+  app.add_flag("--orient", args->orient, "Find that side by neighbours, whatever the scan says of it")
+      ->excludes(viewpoint);
   text_option(app, "--rules", "RULES", "Update rules: limpet, thesis, names to keep, or -names to leave out",
               [args](const std::string& text) {
                 try {

@@ -93,7 +93,10 @@ void Orientation::solve() {
   voxels_.fit();
   SignedForest forest(voxels_.size());
   for_each_link(voxels_, [&](int i, int j) {
-    forest.vote(i, j, vote(voxels_.patch(i), voxels_.patch(j), voxels_.edge()));
+    const SurfacePatch &a = voxels_.patch(i), &b = voxels_.patch(j);
+    // Clutter has many weak votes: those of touching voxels will do.
+    if ((a.flat && b.flat) || touch(voxels_.key(i), voxels_.key(j)))
+      forest.vote(i, j, vote(a, b, voxels_.edge()));
   });
   forest.solve();
   normals_.assign(static_cast<std::size_t>(voxels_.size()), Eigen::Vector3d::Zero());

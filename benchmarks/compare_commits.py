@@ -7,13 +7,15 @@
 Both are built from git worktrees of their own below build/compare. The same simulated scans, made by HEAD's
 program, are modelled by both programs in turn (ABBAAB…), so that what else the machine does falls on both alike.
 A case's figure is the ratio HEAD/BASE of the seconds that `limpet model` tells (reading the scan included): of
-the fastest runs, and the median and range over the rounds. Below 1 HEAD is faster.
+the fastest runs, and the median and range over the rounds. Below 1 HEAD is faster. On a busy machine look at
+the ratio of processor time, too; it is that of the whole program, with writing and judging the model.
 """
 import argparse
 import filecmp
 import json
 import os
 import pathlib
+import resource
 import statistics
 import subprocess
 import sys
@@ -71,31 +73,36 @@ def make_scan(program, name):
 
 
 def model(program, scan, name, output):
-    """Seconds, points and peak memory (bytes) of one run."""
+    """The program's summary of one run, and the processor time of all of it."""
     *_, resolution, noise = CASES[name]
     summary = output.with_suffix(".json")
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     run(program, "model", scan, "-o", output, "--resolution", resolution, "--noise", noise, "--json", summary,
         "--quiet", stdout=subprocess.DEVNULL)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
     result = json.loads(summary.read_text())
-    return result["seconds"], result["points"], result["peak_memory_bytes"]
+    result["cpu"] = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return result
 
 
 def compare(programs, name, rounds):
     scan = make_scan(programs["head"], name)
     models = {side: FOLDER / f"{side}_{name}.limpet" for side in programs}
-    seconds = {side: [] for side in programs}
-    memory = {}
+    runs = {side: [] for side in programs}
     for k in range(rounds):
         for side in ("base", "head") if k % 2 == 0 else ("head", "base"):
-            taken, points, memory[side] = model(programs[side], scan, name, models[side])
-            seconds[side].append(taken)
+            runs[side].append(model(programs[side], scan, name, models[side]))
     scan.unlink()
-    ratios = [h / b for b, h in zip(seconds["base"], seconds["head"])]
-    nanoseconds = {side: 1e9 * min(s) / points for side, s in seconds.items()}
+    ratios = [h["seconds"] / b["seconds"] for b, h in zip(runs["base"], runs["head"])]
+    cpu_ratio = min(r["cpu"] for r in runs["head"]) / min(r["cpu"] for r in runs["base"])
+    points = runs["base"][0]["points"]
+    nanoseconds = {side: 1e9 * min(r["seconds"] for r in rs) / points for side, rs in runs.items()}
+    memory = {side: rs[-1]["peak_memory_bytes"] / 1e6 for side, rs in runs.items()}
     same = filecmp.cmp(models["base"], models["head"], shallow=False)
-    return (f"| {name:<12} | {points:>9,} | {nanoseconds['base']:>12,.0f} | {nanoseconds['head']:>12,.0f} "
+    return (f"| {name:<12} | {points:>9,} | {nanoseconds['base']:>13,.0f} | {nanoseconds['head']:>13,.0f} "
             f"| {nanoseconds['head'] / nanoseconds['base']:>5.3f} | {statistics.median(ratios):>6.3f} "
-            f"| {min(ratios):.3f} to {max(ratios):.3f} | {memory['base'] / 1e6:>7.1f} | {memory['head'] / 1e6:>7.1f} "
+            f"| {min(ratios):.3f} to {max(ratios):.3f} | {cpu_ratio:>5.3f} "
+            f"| {memory['base']:>7.1f} | {memory['head']:>7.1f} "
             f"| {'same' if same else 'differ':<6} |")
 
 
@@ -117,9 +124,9 @@ def main():
     print(f"HEAD {commits['head'][:10]} against BASE {commits['base'][:10]}, {args.rounds} rounds; "
           "ratios are HEAD/BASE, memory is the peak in MB")
     print("| case         |    points | BASE ns/point | HEAD ns/point | ratio | median | range          "
-          "| BASE MB | HEAD MB | models |")
-    print("|--------------|----------:|-------------:|-------------:|------:|-------:|----------------"
-          "|--------:|--------:|--------|")
+          "|   cpu | BASE MB | HEAD MB | models |")
+    print("|--------------|----------:|--------------:|--------------:|------:|-------:|----------------"
+          "|------:|--------:|--------:|--------|")
     for name in names:
         print(compare(programs, name, args.rounds), flush=True)
 

@@ -107,7 +107,9 @@ class SectionSearch {
         break;
       }
       const SectionEnd end{s, std::nullopt, *foot};
-      result.push_back(visible(end, forward) ? std::optional(end) : std::nullopt);
+      // At the bottom of an inlet the perimeter comes to itself: nothing to bridge there.
+      const bool bottom = foot->at == x_.at(s);
+      result.push_back(!bottom && visible(end, forward) ? std::optional(end) : std::nullopt);
       inner = x_.at(s);
       inner_distance = std::sqrt(squared_length(foot->at - inner));
     }

@@ -104,7 +104,8 @@ void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
   const auto ref = [this](Slot s) -> Node& { return nodes_[static_cast<std::uint32_t>(s)]; };
   const bool simple = edit.chains.size() == 1 && edit.loops.empty() && edit.removed_cycles.empty();
   if (!simple && d.runs.empty()) d.runs = runs_of(edit);
-  std::vector<EdgeId> kept;  // identities that a new vertex brings along are not removed
+  static thread_local std::vector<EdgeId> kept;  // identities that a new vertex brings along are not removed
+  kept.clear();
   for (const Chain& c : edit.chains) {
     if (c.edge) kept.push_back(c.edge);
     for (const NewVertex& v : c.via)
@@ -118,11 +119,13 @@ void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
     if (index_.active()) index_.remove(static_cast<std::uint32_t>(s), at(s), end(s));
     if (!std::binary_search(kept.begin(), kept.end(), node(s).edge)) removed_.push_back(node(s).edge);
   }
-  std::vector<CycleId> freed = edit.removed_cycles;
+  static thread_local std::vector<CycleId> freed;
+  freed = edit.removed_cycles;
   for (const Chain& c : edit.chains) freed.push_back(node(c.from).cycle);
   for (const Slot s : d.removed_vertices) free_node(s);
 
-  std::vector<Slot> touched;  // slots whose edge is new
+  static thread_local std::vector<Slot> touched;  // slots whose edge is new
+  touched.clear();
   for (const Chain& c : edit.chains) {
     const CycleId id = node(c.from).cycle;
     Slot last = c.from;

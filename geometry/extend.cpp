@@ -41,6 +41,7 @@ class SectionSearch {
 
   std::vector<SectionEnd> ends(bool forward) const {
     std::vector<SectionEnd> result;
+    result.reserve(8);
     const std::size_t limit = polygon_.cycle(polygon_.node(nearest_.edge).cycle).size;
     Slot edge = nearest_.edge;
     Point2 inner = nearest_.at;
@@ -99,7 +100,8 @@ Extension extend_to_point(Polygon& polygon, Point2 q, double gap, EdgeIds& ids) 
     double length;
     std::size_t i, j;
   };
-  std::vector<Pair> pairs;
+  static thread_local std::vector<Pair> pairs;
+  pairs.clear();
   for (std::size_t i = 0; i < back.size(); ++i)
     for (std::size_t j = 0; j < forward.size(); ++j) {
       const std::size_t passed = back[i].steps + forward[j].steps;
@@ -107,8 +109,9 @@ Extension extend_to_point(Polygon& polygon, Point2 q, double gap, EdgeIds& ids) 
       if (passed + 2 > size || (passed + 2 == size && (back[i].cut || forward[j].cut) && size < 4)) continue;
       pairs.push_back({back[i].length + forward[j].length, i, j});
     }
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const Pair& a, const Pair& b) { return a.length > b.length; });
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return a.length != b.length ? a.length > b.length : std::pair(a.i, a.j) < std::pair(b.i, b.j);
+  });
   for (std::size_t k = 0; k < std::min(pairs.size(), kMaxAttempts); ++k) {
     const Edit edit = edit_for(back[pairs[k].i], forward[pairs[k].j], q);
     if (polygon.change(edit, ids) != Verdict::valid) continue;

@@ -2,7 +2,6 @@
 #include <limpet/geometry/fissure.hpp>
 
 #include <array>
-#include <deque>
 
 #include <limpet/geometry/bridge.hpp>
 #include <limpet/geometry/judge.hpp>
@@ -93,12 +92,11 @@ class Filler {
       : polygon_(polygon), gap_(gap), ids_(ids), bridge_(bridge) {}
 
   std::size_t run(std::span<const std::pair<Slot, EdgeId>> fresh) {
-    for (const auto& [slot, edge] : fresh) queue_.emplace_back(slot, edge);
+    queue_.assign(fresh.begin(), fresh.end());
     // Every filling adds area and takes perimeter away, so it ends; the bound is for the float builds.
     std::size_t budget = 1000 + 40 * queue_.size();
-    while (!queue_.empty() && budget-- > 0) {
-      const auto [slot, edge] = queue_.front();
-      queue_.pop_front();
+    for (std::size_t done = 0; done < queue_.size() && budget-- > 0; ++done) {
+      const auto [slot, edge] = queue_[done];
       if (!current(slot, edge)) continue;
       Slot v1 = polygon_.prev(polygon_.prev(slot));
       bool filled = false;
@@ -124,13 +122,33 @@ class Filler {
     std::array<Point2, 4> v;
     for (std::size_t i = 0; i < 4; ++i) v[i] = polygon_.at(s[i]);
     const bool narrow = four && squared_length(v[2] - v[1]) < gap_ * gap_;
-    const bool notch = orientation(v[0], v[1], v[2]) < 0;
-    if (!narrow && !notch) return false;
     for (const FissureType type : internal::kFissureOrder) {
-      if (needs_four(type) ? !narrow : !notch) continue;
+      if ((needs_four(type) && !narrow) || !possible(type, v)) continue;
       if (const auto filling = internal::find_fissure(type, v, gap_);
           filling && lies_outside(filling->region(v)) && fill(s, *filling, cycle))
         return true;
+    }
+    return false;
+  }
+
+  /// The cheap conditions of find_fissure(), which most vertices fail.
+  bool possible(FissureType type, const std::array<Point2, 4>& v) const {
+    const auto within = [&](Point2 a, Point2 b) { return squared_length(a - b) < gap_ * gap_; };
+    const auto acute_notch = [](Point2 a, Point2 b, Point2 c) {
+      return dot(a - b, c - b) > 0 && orientation(a, b, c) < 0;
+    };
+    switch (type) {
+      case FissureType::I:
+        return within(v[0], v[2]) && orientation(v[0], v[1], v[2]) < 0;
+      case FissureType::II:
+      case FissureType::III:
+        return acute_notch(v[0], v[1], v[2]);
+      case FissureType::IV:
+        return within(v[0], v[3]);
+      case FissureType::V:
+        return acute_notch(v[0], v[2], v[3]);
+      case FissureType::VI:
+        return acute_notch(v[0], v[1], v[3]);
     }
     return false;
   }
@@ -185,7 +203,7 @@ class Filler {
   double gap_;
   EdgeIds& ids_;
   bool bridge_;
-  std::deque<std::pair<Slot, EdgeId>> queue_;
+  std::vector<std::pair<Slot, EdgeId>> queue_;  ///< edges to look at, and those looked at
   std::size_t count_ = 0;
 };
 

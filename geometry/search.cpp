@@ -13,6 +13,7 @@ std::optional<PerimeterPoint> nearest_perimeter_point(const Polygon& polygon, Po
   polygon.any_edge_near(Box2{p, p}.grown(within), [&](Slot s) {
     if (cycle && polygon.node(s).cycle != *cycle) return false;
     const Point2 a = polygon.at(s), b = polygon.end(s);
+    if (best && box_of(a, b).squared_distance(p) > best->squared_distance) return false;
     const double t = nearest_fraction(a, b, p);
     const Point2 at = a + t * (b - a);
     const double d2 = squared_length(at - p);

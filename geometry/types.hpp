@@ -39,6 +39,12 @@ struct Box2 {
   void add(const Box2& b) { add(b.low), add(b.high); }
   Box2 grown(double by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
   bool contains(Point2 p) const { return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y; }
+  /// From p to the box; 0 inside.
+  double squared_distance(Point2 p) const {
+    const double dx = std::max({0.0, low.x - p.x, p.x - high.x}),
+                 dy = std::max({0.0, low.y - p.y, p.y - high.y});
+    return dx * dx + dy * dy;
+  }
   bool meets(const Box2& b) const {
     return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y;
   }

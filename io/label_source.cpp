@@ -25,7 +25,10 @@ LabelSource::LabelSource(const std::string& path, const std::string& column) {
     list_ = std::make_unique<ByteSource>(path);
     is_scan = path != "-" && begins_like_a_scan(*list_);
   }
-  if (!is_scan) return;
+  if (!is_scan) {
+    if (column.empty()) return;
+    throw InputError(list_->name(), "is read as a list of labels, which has no column " + in_quotes(column));
+  }
   list_.reset();
   ScanOptions options;
   options.label_column = column;

@@ -5,6 +5,7 @@
 #include <limpet/io/scan_columns.hpp>
 #include <limpet/io/scan_formats.hpp>
 #include <limpet/io/text.hpp>
+#include <new>
 #include <utility>
 
 namespace limpet::io {
@@ -134,13 +135,21 @@ class PcdReader final : public ScanReader {
       return;
     }
     std::string packed;
-    while (packed.size() < packed_size) {
-      const std::string_view piece = source_->peek(1).substr(0, packed_size - packed.size());
-      if (piece.empty()) break;
-      packed += piece;
-      source_->skip(piece.size());
+    try {
+      while (packed.size() < packed_size) {
+        const std::string_view piece = source_->peek(1).substr(0, packed_size - packed.size());
+        if (piece.empty()) break;
+        packed += piece;
+        source_->skip(piece.size());
+      }
+      unpacked_ = unpack_lzf(packed, size);
+    } catch (const std::bad_alloc&) {
+      const std::size_t megabytes = (packed_size + size) / 1'000'000;
+      throw InputError(source_->name(),
+                       "its compressed points take " + std::to_string(megabytes) +
+                           " MB of memory, which there are not; convert the file to DATA binary, "
+                           "which is read as it comes");
     }
-    unpacked_ = unpack_lzf(packed, size);
     if (packed.size() < packed_size) {
       damage_ = "the file ends within its compressed points (truncated?)";
     } else if (unpacked_.size() < size) {

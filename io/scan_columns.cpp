@@ -13,13 +13,10 @@ int find(const std::vector<std::string>& names, std::string_view name) {
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
-constexpr std::array<std::string_view, 14> kLabelNames = {"face",          "label",
-                                                          "segment_index", "segment",
-                                                          "plane",         "plane_index",
-                                                          "shape_index",   "scalar_label",
-                                                          "scalar_Label",  "region",
-                                                          "class",         "classification",
-                                                          "scalar_class",  "scalar_Classification"};
+constexpr std::array<std::string_view, 15> kLabelNames = {
+    "face",        "label",          "segment_index",  "segment",      "plane",
+    "plane_index", "shape_index",    "scalar_label",   "scalar_Label", "region",
+    "class",       "classification", "Classification", "scalar_class", "scalar_Classification"};
 
 int find_label(const std::vector<std::string>& names) {
   for (const std::string_view name : kLabelNames) {
@@ -61,7 +58,9 @@ ScanColumns::ScanColumns(const std::vector<std::string>& names, const ScanOption
     std::copy(found.begin(), found.end(), column_.begin() + kAxisX);
     return true;
   };
-  if (axis_columns("ax", "ay", "az")) {
+  if (options.ignore_axes) {
+    axis_source_ = AxisSource::kNone;
+  } else if (axis_columns("ax", "ay", "az")) {
     axis_source_ = AxisSource::kAxis;
   } else if (axis_columns("nx", "ny", "nz") || axis_columns("normal_x", "normal_y", "normal_z")) {
     axis_source_ = AxisSource::kNormal;

@@ -20,17 +20,27 @@ bool starts_with_word(std::string_view head, std::string_view word) {
 bool looks_like_table(std::string_view head) {
   const auto first = head.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ||
-         std::string_view("+-.0123456789#/nN").find(head[first]) != head.npos;
+         std::string_view("+-.0123456789#/nN\"xX").find(head[first]) != head.npos;
+}
+
+/// A PCD header may begin with any comments.
+bool looks_like_pcd(std::string_view head) {
+  while (head.starts_with('#')) {
+    const auto end = head.find('\n');
+    if (head.substr(0, end).find(".PCD v") != head.npos) return true;
+    if (end == head.npos) return false;
+    head.remove_prefix(end + 1);
+  }
+  return starts_with_word(head, "VERSION") || starts_with_word(head, "FIELDS");
 }
 
 /// The format by the first bytes, which do not lie as names do, then by the extension; empty when neither
 /// tells.
 std::string guess_format(ByteSource& source, const std::string& path) {
-  const std::string_view head = source.peek(256);
+  const std::string_view head = source.peek(4096);
   const std::string extension = extension_of(path);
   if (starts_with_word(head, "ply")) return "ply";
-  if (head.starts_with("# .PCD") || starts_with_word(head, "VERSION") || starts_with_word(head, "FIELDS"))
-    return "pcd";
+  if (looks_like_pcd(head)) return "pcd";
   if (is_one_of(extension, {"off", "stl", "obj", "glb", "gltf", "dae", "om", "3mf"})) return "mesh";
   for (const std::string_view word : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "solid"}) {
     if (starts_with_word(head, word)) return "mesh";

@@ -21,6 +21,8 @@ struct ScanOptions {
   /// Where the sensor stood, scan's unit: gives each point without axis or normal the axis from here to it.
   /// A PCD file's own VIEWPOINT is used where this is empty.
   std::optional<Eigen::Vector3d> viewpoint;
+  /// Take no axis, whatever the scan says.
+  bool ignore_axes = false;
   /// "ply", "pcd", "xyz" or "pwn"; empty: told by the first bytes, then by the file's extension.
   std::string format;
   /// The column (property, field) that says which region a point is of; empty: the first that is there of the
@@ -29,7 +31,7 @@ struct ScanOptions {
 };
 
 /// A scan, read in order, one record at a time, in memory that does not depend on its size (a compressed PCD
-/// excepted, which is held whole).
+/// excepted, which is held whole: packed and unpacked, of which the format allows 4 GiB each).
 class ScanReader {
  public:
   virtual ~ScanReader() = default;
@@ -51,9 +53,12 @@ class ScanReader {
 
 /// Opens a scan: PLY (ASCII, binary little and big endian), PCD (ASCII, binary, compressed), XYZ
 /// (`x y z [nx ny nz]`, or columns named by a comment such as `# x y z ax ay az`) or PWN (`x y z nx ny nz`).
-/// `path` "-" is standard input. The axis of a point comes from `ax ay az`, else minus the normal, else the
-/// direction from the viewpoint; it is left bit for bit where its length is 1 already, and normalised
-/// otherwise. Errors: InputError for what cannot be read, a damaged header, an unknown format, or a mesh.
+/// `path` "-" is standard input. A first line of names (`"X","Y","Z",...`) names the columns of a table too.
+/// Without names, columns four to six are a normal, unless the first point's look like a colour (whole
+/// numbers of 0 to 255, one of them above 9). The axis of a point comes from `ax ay az`, else minus the
+/// normal, else the direction from the viewpoint; it is left bit for bit where its length is 1 already, and
+/// normalised otherwise. Errors: InputError for what cannot be read, a damaged header, an unknown format, or
+/// a mesh.
 std::unique_ptr<ScanReader> open_scan(const std::string& path, const ScanOptions& options);
 
 }  // namespace limpet::io

@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
 #include <limpet/io/error.hpp>
 #include <limpet/io/scan_columns.hpp>
 #include <limpet/io/scan_formats.hpp>
@@ -57,20 +58,31 @@ class TableReader final : public ScanReader {
   }
 
  private:
-  /// A comment names the columns when it has x, y and z among its words.
-  void read_names(std::string_view comment) {
-    while (comment.starts_with('#') || comment.starts_with('/')) comment.remove_prefix(1);
-    std::vector<std::string> names = tokens_of(comment);
+  /// A comment or a first line of words names the columns when it has x, y and z among them.
+  bool read_names(std::string_view line) {
+    while (line.starts_with('#') || line.starts_with('/')) line.remove_prefix(1);
+    std::vector<std::string> names = tokens_of(line);
     for (std::string& name : names) {
+      std::erase(name, '"');
       if (name == "X" || name == "Y" || name == "Z") name[0] = static_cast<char>(name[0] - 'A' + 'a');
     }
     const auto has = [&](const char* name) {
-      for (const std::string& given : names) {
-        if (given == name) return true;
-      }
-      return false;
+      return std::find(names.begin(), names.end(), name) != names.end();
     };
-    if (has("x") && has("y") && has("z") && names.size() <= kMaxColumns) names_ = std::move(names);
+    if (!has("x") || !has("y") || !has("z") || names.size() > kMaxColumns) return false;
+    names_ = std::move(names);
+    return true;
+  }
+
+  /// Colours where normals could be: whole numbers up to 255, larger than any normal's.
+  static bool is_colour(const std::vector<std::string>& tokens) {
+    std::int64_t largest = 0;
+    for (std::size_t i = 3; i < 6; ++i) {
+      std::int64_t value = 0;
+      if (!parse_integer(tokens[i], value) || value < 0 || value > 255) return false;
+      largest = std::max(largest, value);
+    }
+    return largest > 9;
   }
 
   /// Settles the columns by the first line of numbers; false when that line is a count of the points.
@@ -79,6 +91,9 @@ class TableReader final : public ScanReader {
     if (tokens.size() == 1 && promised_ < 0) {
       if (parse_integer(tokens[0], promised_) && promised_ >= 0) return false;
     }
+    double number = 0;
+    if (names_.empty() && !tokens.empty() && !parse_double(tokens[0], number) && read_names(line))
+      return false;
     if (tokens.size() < 3 || tokens.size() > kMaxColumns) {
       throw InputError(source_->here_line(),
                        "expected 'x y z' or 'x y z nx ny nz', found " + in_quotes(line));
@@ -86,7 +101,7 @@ class TableReader final : public ScanReader {
     width_ = tokens.size();
     if (names_.size() != width_) {
       names_ = {"x", "y", "z"};
-      if (width_ >= 6) names_.insert(names_.end(), {"nx", "ny", "nz"});
+      if (width_ >= 6 && !is_colour(tokens)) names_.insert(names_.end(), {"nx", "ny", "nz"});
       names_.resize(width_);
     }
     columns_.emplace(names_, options_, source_->here_line());

@@ -19,7 +19,7 @@ Box3 box_of(const Engine& e, std::span<const RawPoint> points) {
 /// Mature polygons that points of a segment may fit.
 void find_mature_polygons(Engine& e, const Box3& around, std::vector<const Segment*>& result) {
   result.clear();
-  e.index.query(around, e.found);
+  e.polygons.query(around, e.found);
   for (const std::uint32_t slot : e.found)
     if (const Segment& other = e.at(slot); other.mature_polygon()) result.push_back(&other);
 }
@@ -105,12 +105,14 @@ bool dissolve_young(Engine& e) {
     const Segment& s = e.at(slot);
     if (s.polygon && s.young()) look.emplace_back(s.id, slot);
     if (!s.mature_polygon() || s.polygon->changed.empty()) continue;
-    query(e, s.polygon->changed, e.found);
-    for (const std::uint32_t near : e.found)
-      if (Segment& young = e.at(near); young.young() && fits_where_changed(e, young, s)) {
-        young.seen = 0;
-        look.emplace_back(young.id, near);
-      }
+    for (const SpatialIndex* index : {&e.polygons, &e.points}) {
+      query(*index, s.polygon->changed, e.found);
+      for (const std::uint32_t near : e.found)
+        if (Segment& young = e.at(near); young.young() && fits_where_changed(e, young, s)) {
+          young.seen = 0;
+          look.emplace_back(young.id, near);
+        }
+    }
   }
   std::sort(look.begin(), look.end());
   look.erase(std::unique(look.begin(), look.end()), look.end());

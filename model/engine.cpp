@@ -26,7 +26,8 @@ Engine::Engine(const Parameters& p) : parameters(p) {
   require(finite(p.tolerance) && p.tolerance >= 0, "the tolerance must be a length of 0 or more");
   require(finite(p.input_quantum) && p.input_quantum >= 0, "the input quantum must be a length of 0 or more");
   require(p.resolution > 1e-150 && p.resolution < 1e150, "the linear resolution is out of range");
-  index = SpatialIndex(2.6 * p.resolution);  // point segments' boxes are 2.5 λ wide
+  points = SpatialIndex(2.6 * p.resolution);  // their boxes are 2.5 λ wide
+  polygons = SpatialIndex(8 * p.resolution);  // those of the smallest
   step = geometry::grid_step_for(p.resolution);
   rounding = step * step + p.input_quantum * p.input_quantum;
   gap = p.resolution / step;
@@ -78,9 +79,20 @@ bool may_be_young(const Engine& e, std::int64_t count, const Fit& fit) {
   return 12 * std::sqrt(fit.u1 * fit.u2) < kYoungArea * lambda2;  // a rectangle with these variances
 }
 
+namespace {
+
+SpatialIndex& index_of(Engine& e, const Segment& s) { return s.indexed_as_polygon ? e.polygons : e.points; }
+
+void remove_from_index(Engine& e, Segment& s) {
+  if (!s.indexed.isEmpty()) index_of(e, s).remove(s.indexed, s.slot);
+  s.indexed.setEmpty();
+}
+
+}  // namespace
+
 void erase_segment(Engine& e, Segment& s) {
   const std::uint32_t slot = s.slot;
-  if (!s.indexed.isEmpty()) e.index.remove(s.indexed, slot);
+  remove_from_index(e, s);
   e.slot_of.erase(s.id.value);
   if (s.polygon) e.modelled_area -= s.polygon->counted_area, e.modelled_points -= s.moments.count();
   e.segments[slot].reset();
@@ -94,20 +106,20 @@ void mark_modified(Engine& e, Segment& s) {
 }
 
 void update_index(Engine& e, Segment& s) {
-  // Boxes are larger by λ than what they hold, and by some slack more, so that most growth leaves the tree
+  // Boxes are larger by λ than what they hold, and by some slack more, so that most growth leaves the index
   // alone.
   const double reach = e.parameters.resolution;
   const Box3 tight = s.polygon ? s.polygon->box : box_around(s.fit.centroid, 0);
   const Box3 needed(tight.min() - Eigen::Vector3d::Constant(reach),
                     tight.max() + Eigen::Vector3d::Constant(reach));
-  if (!s.indexed.isEmpty()) {
-    if (s.indexed.contains(needed)) return;
-    e.index.remove(s.indexed, s.slot);
-  }
+  if (s.indexed_as_polygon == (s.polygon != nullptr) && !s.indexed.isEmpty() && s.indexed.contains(needed))
+    return;
+  remove_from_index(e, s);
   const double slack = s.polygon ? reach + 0.1 * tight.sizes().maxCoeff() : reach / 4;
   s.indexed =
       Box3(needed.min() - Eigen::Vector3d::Constant(slack), needed.max() + Eigen::Vector3d::Constant(slack));
-  e.index.insert(s.indexed, s.slot);
+  s.indexed_as_polygon = s.polygon != nullptr;
+  index_of(e, s).insert(s.indexed, s.slot);
 }
 
 Box3 perimeter_box(const PolygonPart& part) {

@@ -69,6 +69,7 @@ struct Segment {
   double since_sum = 0;       ///< of its points while young: counts.points when they came
   std::int64_t last_joined = 0;
   Box3 indexed;  ///< as it is in the spatial index
+  bool indexed_as_polygon = false;
   bool modified = false;
   std::unique_ptr<PolygonPart> polygon;  ///< none: a point segment
 
@@ -93,7 +94,7 @@ struct Engine {
   std::uint64_t next_segment = 1;
   std::vector<std::unique_ptr<Segment>> segments;  ///< by slot
   std::vector<std::uint32_t> free_slots;
-  SpatialIndex index;
+  SpatialIndex polygons, points;     ///< of polygon and point segments, boxes fattened by λ
   double modelled_area = 0;          ///< of all polygons, λ²
   std::int64_t modelled_points = 0;  ///< in all polygons
 
@@ -157,7 +158,7 @@ Box3 perimeter_box(const PolygonPart&);
 
 // places.cpp
 /// Slots of segments near the places, in ascending order.
-void query(const Engine&, const Places&, std::vector<std::uint32_t>& found);
+void query(const SpatialIndex&, const Places&, std::vector<std::uint32_t>& found);
 /// Where those of the edges lie that are still there.
 Places places_of(const PolygonPart&, std::span<const std::pair<geometry::Slot, geometry::EdgeId>> edges);
 
@@ -183,6 +184,8 @@ bool promotable(const Engine&, const Fit&, double variance, const Eigen::Vector3
                 const std::vector<const std::vector<RawPoint>*>& raw, double since_sum);
 /// Have far fewer points come to it, while they waited, than to the rest of the scene?
 bool too_few_arrived(const Engine&, const Fit&, double since_sum);
+/// The same of a point segment, which stands for about λ² of surface if it is any.
+bool points_came_too_slowly(const Engine&, const Segment& point_segment);
 /// Chart and diamond (thesis §2.4.1); nothing when that is too small for the grid.
 std::unique_ptr<PolygonPart> diamond_part(Engine&, const Fit&);
 /// Makes a point segment a polygon and extends its diamond to the points it keeps.

@@ -33,15 +33,18 @@ void neighbours(Engine& e, Segment& s, bool polygons_tried, std::vector<Candidat
   polygons.clear(), points.clear();
   const Eigen::Vector3d centroid = s.fit.centroid;
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  e.points.query(centroid, e.found);
   for (const std::uint32_t slot : e.found) {
     Segment& other = e.at(slot);
-    if (&other == &s) continue;
-    if (!other.polygon) {
-      const double d2 = (other.fit.centroid - centroid).squaredNorm();
-      if (d2 < lambda2) points.push_back({d2, other.id, &other, {}});
-    } else if (!polygons_tried) {
-      add_polygon(e, other, centroid, s.axis_sum, s.moments.squared_residual(other.fit.plane(), e.step),
-                  s.variance(), polygons);
+    const double d2 = (other.fit.centroid - centroid).squaredNorm();
+    if (&other != &s && d2 < lambda2) points.push_back({d2, other.id, &other, {}});
+  }
+  if (!polygons_tried) {
+    e.polygons.query(centroid, e.found);
+    for (const std::uint32_t slot : e.found) {
+      Segment& other = e.at(slot);
+      const double residual2 = s.moments.squared_residual(other.fit.plane(), e.step);
+      add_polygon(e, other, centroid, s.axis_sum, residual2, s.variance(), polygons);
     }
   }
   order(e, polygons);
@@ -51,7 +54,6 @@ void neighbours(Engine& e, Segment& s, bool polygons_tried, std::vector<Candidat
 }
 
 /// A new point segment tries its neighbours until it has merged into a polygon or fits no other any more.
-/// What lies around it has been found already.
 void settle(Engine& e, Segment* s, bool polygons_tried) {
   static thread_local std::vector<Candidate> polygons, points;
   for (;;) {
@@ -78,7 +80,6 @@ void settle(Engine& e, Segment* s, bool polygons_tried) {
     }
     s = next;
     polygons_tried = false;
-    e.index.query(s->fit.centroid, e.found);
   }
 }
 
@@ -88,12 +89,14 @@ void insert_point(Engine& e, const RawPoint& raw) {
   static thread_local std::vector<Candidate> candidates;
   candidates.clear();
   const Eigen::Vector3d p = e.world(raw.at);
-  e.index.query(p, e.found);
   const bool best = e.rules().best;
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  if (best)
+    e.polygons.query(p, e.found);
+  else
+    e.found.clear();
   for (const std::uint32_t slot : e.found) {
     Segment& s = e.at(slot);
-    if (!best || !s.polygon) continue;
     const double height = s.fit.height_of(p);
     if (height * height < lambda2) add_polygon(e, s, p, raw.axis, height * height, raw.variance, candidates);
   }

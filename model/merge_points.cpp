@@ -13,7 +13,7 @@ constexpr std::int64_t kPatch = 8;  ///< points that a patch has at least
 
 /// Points of point segments around a new polygon may fit it now: each tries again on its own.
 void release_neighbours(Engine& e, const Segment& polygon) {
-  e.index.query(polygon.indexed, e.found);
+  e.points.query(polygon.indexed, e.found);
   std::vector<std::pair<SegmentId, std::uint32_t>> near;
   for (const std::uint32_t slot : e.found) {
     Segment& s = e.at(slot);
@@ -40,7 +40,7 @@ void absorbed(Engine& e, Segment& into, Segment& from) {
 std::vector<Segment*> young_points_around(Engine& e, const Segment& seed) {
   const double reach = 2 * e.parameters.resolution;
   // Indexed boxes reach λ beyond what they hold.
-  e.index.query(box_around(seed.fit.centroid, reach - e.parameters.resolution), e.found);
+  e.points.query(box_around(seed.fit.centroid, reach - e.parameters.resolution), e.found);
   std::vector<std::pair<double, Segment*>> near;
   for (const std::uint32_t slot : e.found) {
     Segment& s = e.at(slot);

@@ -160,7 +160,7 @@ bool merge_modified_polygons(Engine& e) {
   for (const auto& [id, slot] : turn) {
     Segment* s = e.find(id, slot);
     if (!s) continue;  // merged away in this round; what it became is modified and has its turn next round
-    query(e, s->polygon->changed, e.found);
+    query(e.polygons, s->polygon->changed, e.found);
     std::vector<std::pair<SegmentId, std::uint32_t>> others;
     for (const std::uint32_t other : e.found)
       if (other != slot && e.at(other).polygon) others.emplace_back(e.at(other).id, other);

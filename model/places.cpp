@@ -20,11 +20,11 @@ void Places::add(const Box3& place) {
     boxes_.push_back(place);
 }
 
-void query(const Engine& e, const Places& places, std::vector<std::uint32_t>& found) {
+void query(const SpatialIndex& index, const Places& places, std::vector<std::uint32_t>& found) {
   found.clear();
   std::vector<std::uint32_t> some;
   for (const Box3& box : places.boxes()) {
-    e.index.query(box, some);
+    index.query(box, some);
     found.insert(found.end(), some.begin(), some.end());
   }
   std::sort(found.begin(), found.end());

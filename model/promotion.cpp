@@ -79,6 +79,12 @@ bool too_few_arrived(const Engine& e, const Fit& fit, double since_sum) {
   return 30 * fit.count * e.modelled_area * points < waited * area * modelled;
 }
 
+bool points_came_too_slowly(const Engine& e, const Segment& s) {
+  const auto points = static_cast<double>(e.counts.points), count = static_cast<double>(s.moments.count());
+  const double waited = points - s.since_sum / count;
+  return 30 * count * e.modelled_area * points < waited * static_cast<double>(e.modelled_points);
+}
+
 bool promotable(const Engine& e, const Fit& fit, double v, const Eigen::Vector3d& axis_sum,
                 const std::vector<const std::vector<RawPoint>*>& raw, double since_sum) {
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;

@@ -68,7 +68,9 @@ void expire_outliers(Engine& e) {
     const auto [joined, id] = e.by_age.front();
     e.by_age.pop_front();
     Segment* s = e.find(id);
-    if (!s || s->polygon || s->last_joined != joined || s->moments.count() >= kSmall) continue;
+    if (!s || s->polygon) continue;
+    const bool idle = s->last_joined == joined && s->moments.count() < kSmall;
+    if (!idle && !(e.rules().arrival && points_came_too_slowly(e, *s))) continue;
     e.counts.expired += s->moments.count();
     e.changes.push_back({Change::Kind::deleted, s->id, {}, {}, {}});
     erase_segment(e, *s);

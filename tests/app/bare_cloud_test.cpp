@@ -51,6 +51,20 @@ TEST_F(BareCloud, IsOrientedByItsNeighboursWithAWarning) {
   EXPECT_EQ(labels.substr(0, 2), "0\n");
 }
 
+/// Coordinates to the millimetre, and faces along the axes: few different ones, which says nothing of the
+/// noise.
+TEST_F(BareCloud, RoundedCoordinatesAreNoNoise) {
+  std::string text;
+  for (int i = 0; i < 10'000; ++i) {
+    char line[64];
+    std::snprintf(line, sizeof line, "0.1 %.3f %.3f\n", 0.013 * (i % 100), 0.013 * (i / 100));
+    text += line;
+  }
+  const auto result = run({"model", write("wall.xyz", text), "-o", path("m.limpet"), "--json", "-"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find("\"polygons\": 1,"), std::string::npos) << result.out;
+}
+
 TEST_F(BareCloud, FromStandardInputToo) {
   const std::string cloud = bare("bare.xyz", "step_hole", 20'000);
   ASSERT_EQ(run(model(cloud, "file")).code, 0);
@@ -70,6 +84,22 @@ TEST_F(BareCloud, DamageIsReportedAfterWhatWasRead) {
     EXPECT_NE(result.err.find("what was read before it is modelled"), std::string::npos) << result.err;
     EXPECT_EQ(run({"compare", path("m.limpet"), "cube", "--faces", "exact"}).code, 0);
   }
+}
+
+/// Normals of either sign, as estimated and never oriented.
+TEST_F(BareCloud, NormalsThatAreNotOrientedCanBePassedOver) {
+  std::istringstream lines(read(bare("bare.xyz", "cube", 20'000)));
+  std::string text, line;
+  for (long i = 0; std::getline(lines, line); ++i)
+    text += line + (i % 2 == 0 ? " 0 0.6 0.8\n" : " 0 -0.6 -0.8\n");
+  auto arguments = model(write("turned.xyz", text), "m");
+  arguments.emplace_back("--orient");
+  const auto result = run(arguments);
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "") << "asked for, so no warning";
+  EXPECT_EQ(run({"compare", path("m.limpet"), "cube", "--faces", "exact", "--max-distance", "0.06"}).code, 0);
+  arguments.insert(arguments.end(), {"--viewpoint", "0,0,9"});
+  expect_refused(run(arguments), "--viewpoint");
 }
 
 TEST_F(BareCloud, NowhereToSpool) {

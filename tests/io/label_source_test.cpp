@@ -64,6 +64,10 @@ TEST_F(LabelSourceTest, ColumnThatIsNotThere) {
   EXPECT_NE(error(scan, "y").find("'y' is a coordinate"), std::string::npos);
 }
 
+TEST_F(LabelSourceTest, AListHasNoColumns) {
+  EXPECT_NE(error(write("a.txt", "1\n2\n"), "label").find("a.txt: is read as a list"), std::string::npos);
+}
+
 TEST_F(LabelSourceTest, PropertyOfAPly) {
   const std::string ply =
       write("s.ply",

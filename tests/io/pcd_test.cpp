@@ -1,5 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <sys/resource.h>
+
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <limpet/io/lzf.hpp>
 
@@ -92,6 +95,36 @@ TEST_F(PcdTest, ViewpointOptionGoesBeforeTheFiles) {
   const ScanResult scan = read_scan(write("a.pcd", ascii()), options);
   ASSERT_EQ(scan.records.size(), 2u);
   EXPECT_VECTOR(scan.records[0].point.axis, 0, 0, -1);
+}
+
+TEST_F(PcdTest, IsKnownByItsFirstBytesBehindAnyComments) {
+  const std::string comments = "# made by somebody's program\n#\n";
+  for (const std::string& bytes :
+       {ascii(), comments + ascii(), comments + ascii().substr(ascii().find('\n') + 1)}) {
+    const ScanResult scan = read_scan(write("no_extension", bytes));
+    EXPECT_EQ(scan.error, "");
+    EXPECT_EQ(scan.records.size(), 2u);
+  }
+}
+
+/// What is promised but cannot be held is one line, and not a crash.
+TEST_F(PcdTest, CompressedPointsThatDoNotFitInMemory) {
+  std::string bytes =
+      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 300000000\nHEIGHT 1\n"
+      "POINTS 300000000\nDATA binary_compressed\n";
+  put(bytes, std::uint32_t{60'000'000});
+  put(bytes, std::uint32_t{3'600'000'000});
+  const std::string name = write("large.pcd", bytes);
+  std::filesystem::resize_file(name, bytes.size() + 60'000'000);  // a hole: zeros, which are literal runs
+  struct rlimit usual = {};
+  ::getrlimit(RLIMIT_AS, &usual);
+  const struct rlimit small = {400'000'000, usual.rlim_max};
+  ::setrlimit(RLIMIT_AS, &small);
+  const ScanResult scan = read_scan(name);
+  ::setrlimit(RLIMIT_AS, &usual);
+  EXPECT_NE(scan.error.find("large.pcd: its compressed points take 3660 MB of memory"), std::string::npos)
+      << scan.error;
+  EXPECT_NE(scan.error.find("DATA binary"), std::string::npos) << scan.error;
 }
 
 TEST_F(PcdTest, NormalsGoBeforeTheViewpoint) {

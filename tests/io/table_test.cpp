@@ -40,6 +40,35 @@ TEST_F(TableTest, CommentNamesTheColumns) {
   EXPECT_FALSE(colours.records[0].has_axis) << "colours are no normals";
 }
 
+TEST_F(TableTest, FirstLineOfWordsNamesTheColumns) {
+  for (const char* name : {"a.txt", "a.xyz"}) {
+    const ScanResult scan =
+        read_scan(write(name, "\"X\",\"Y\",\"Z\",\"Classification\"\n1,2,3,6\n4,5,6,2\n"));
+    EXPECT_EQ(scan.error, "") << name;
+    ASSERT_EQ(scan.records.size(), 2u) << name;
+    EXPECT_VECTOR(scan.records[1].point.position, 4, 5, 6);
+    EXPECT_EQ(scan.records[1].label, 2);
+  }
+  EXPECT_NE(read_scan(write("b.xyz", "x y w\n1 2 3\n")).error.find("line 1"), std::string::npos);
+  EXPECT_NE(read_scan(write("c.xyz", "x y z\nx y z\n")).error.find("line 2"), std::string::npos);
+}
+
+TEST_F(TableTest, ColoursWithoutNamesAreNoNormals) {
+  EXPECT_FALSE(read_scan(write("a.xyz", "1 2 3 128 0 9\n4 5 6 0 0 1\n")).records.at(0).has_axis);
+  EXPECT_TRUE(read_scan(write("b.xyz", "1 2 3 0 1 0\n4 5 6 0 0 1\n")).records.at(0).has_axis);
+  EXPECT_TRUE(read_scan(write("c.xyz", "1 2 3 0 -2 0\n")).records.at(0).has_axis) << "a normal of length 2";
+  EXPECT_TRUE(read_scan(write("d.xyz", "# x y z nx ny nz\n1 2 3 0 0 9\n")).records.at(0).has_axis);
+}
+
+TEST_F(TableTest, AxesCanBeIgnored) {
+  ScanOptions options;
+  options.ignore_axes = true;
+  options.viewpoint = Eigen::Vector3d(0, 0, 9);
+  const ScanResult scan = read_scan(write("a.pwn", "1 2 3 0 0 1\n4 5 6 0 0 0\n"), options);
+  ASSERT_EQ(scan.records.size(), 2u) << "a record without a normal is a point all the same";
+  EXPECT_FALSE(scan.records[0].has_axis);
+}
+
 TEST_F(TableTest, PwnMayBeginWithItsCount) {
   EXPECT_EQ(read_scan(write("a.pwn", "2\n1 2 3 0 0 1\n4 5 6 0 0 1\n")).records.size(), 2u);
   ScanResult scan = read_scan(write("b.pwn", "3\n1 2 3 0 0 1\n4 5 6 0 0 1\n"));
