@@ -40,12 +40,10 @@ Standing standing(const Engine& e, const Segment& s, const Eigen::Vector3d& p, c
   result.outside = part.perimeter.locate(result.chart_point) == geometry::Polygon::Side::outside;
   result.distance2 = result.residual2 = height * height;
   if (relief_kept(e) && s.mature_polygon()) {
-    if (const auto local = local_residual(e, s, p)) {
-      result.residual2 = local->height * local->height;
-      if (squared_residual > noise_limit(s, p, variance) &&
-          result.residual2 > 9 * (variance + local->variance) + local->bend2)
-        return result;
-    }
+    const auto local = local_residual(e, s, p);
+    if (local) result.residual2 = local->height * local->height;
+    const bool goes_on = local && result.residual2 <= 9 * (variance + local->variance) + local->bend2;
+    if (!goes_on && squared_residual > noise_limit(s, p, variance)) return result;
   }
   if (result.outside) {
     const auto nearest = geometry::nearest_perimeter_point(part.perimeter, result.chart_point, e.gap);

@@ -8,7 +8,7 @@
 #include <limpet/app/noise_law.hpp>
 #include <limpet/simulation/random.hpp>
 #include <limpet/simulation/scan.hpp>
-#include <limpet/simulation/shapes.hpp>
+#include <limpet/simulation/scene.hpp>
 
 namespace limpet::app {
 namespace {
@@ -77,7 +77,7 @@ TEST(NoiseOfScans, GrowsWithTheRange) {
     options.viewpoints = {{1.5, 1.2, 0.9}};
     std::vector<model::SensorPoint> points;
     double nearest = 1e9, farthest = 0;
-    for (const auto& p : simulation::scan(simulation::make_shape("room:1").mesh, options)) {
+    for (const auto& p : simulation::scan(simulation::make_scene("room:1").mesh, options)) {
       points.push_back(p.point);
       nearest = std::min(nearest, p.point.range), farthest = std::max(farthest, p.point.range);
     }
