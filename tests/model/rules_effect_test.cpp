@@ -176,6 +176,31 @@ TEST(ExpiryRule, AnOutlierExpiresAfterThePatienceAndIsCounted) {
   EXPECT_EQ(broken_laws(expired.record()), "");
 }
 
+TEST(ExpiryRule, ManyOutliersInOnePlaceExpireToo) {
+  // Over a surface of 2λ by 2λ a reading comes to each λ² fifty times as often as to the outliers' place,
+  // which holds more than five of them long before the patience ends.
+  Parameters parameters = with("limpet");
+  parameters.outlier_patience = 2000;
+  const double lambda = parameters.resolution;
+  Model model(parameters);
+  Random random(41);
+  std::int64_t outliers = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector3d anywhere(random.unit(), random.unit(), random.unit());
+    const bool outlier = i % 200 == 0;
+    outliers += outlier;
+    const Eigen::Vector3d on_surface(2 * lambda * anywhere.x(), 2 * lambda * anywhere.y(), 0);
+    const Eigen::Vector3d p =
+        outlier ? Eigen::Vector3d(20 * lambda * Eigen::Vector3d::Ones() + 0.8 * lambda * anywhere)
+                : on_surface;
+    model.update(Points{{p, {0, 0, -1}}});
+  }
+  EXPECT_EQ(model.counts().polygons, 1);
+  EXPECT_GE(model.counts().expired, outliers - 40);
+  EXPECT_LE(model.counts().expired, outliers);
+  EXPECT_EQ(broken_laws(model.record()), "");
+}
+
 TEST(ExpiryRule, TellsOfTheDeletion) {
   Parameters parameters = with("limpet");
   parameters.outlier_patience = 3;
