@@ -186,7 +186,7 @@ TEST(ExpiryRule, ManyOutliersInOnePlaceExpireToo) {
   Random random(41);
   std::int64_t outliers = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Eigen::Vector3d anywhere(random.unit(), random.unit(), random.unit());
+    const Eigen::Vector3d anywhere(random.uniform(), random.uniform(), random.uniform());
     const bool outlier = i % 200 == 0;
     outliers += outlier;
     const Eigen::Vector3d on_surface(2 * lambda * anywhere.x(), 2 * lambda * anywhere.y(), 0);
