@@ -16,6 +16,7 @@
 #include <limpet/io/mesh_writer.hpp>
 #include <limpet/io/text.hpp>
 #include <limpet/model/model.hpp>
+#include <optional>
 
 namespace limpet::app {
 namespace {
@@ -71,27 +72,43 @@ NoiseArgument rounded(const NoiseArgument& noise) {
   return {short_number(noise.fixed), short_number(noise.per_range), short_number(noise.per_range2)};
 }
 
+/// What the scan says of itself, from a look ahead that is taken when first asked for, and once.
+class LookAhead {
+ public:
+  explicit LookAhead(PointStream& scan) : scan_(scan) {}
+
+  const Estimate& estimate() {
+    if (!found_) found_ = app::estimate([&](const Take& take) { scan_.look_ahead(most(), take); });
+    return *found_;
+  }
+  /// How many points the scan has; −1: not known.
+  std::int64_t points() const {
+    return found_ && found_->points < most() ? found_->points : scan_.promised();
+  }
+
+ private:
+  std::int64_t most() const { return scan_.is_standard_input() ? kLookAheadStream : kLookAheadFile; }
+
+  PointStream& scan_;
+  std::optional<Estimate> found_;
+};
+
 /// λ, noise and tolerance as given, or else from the scan, which is then said.
-model::Parameters choose_parameters(const ModelArguments& args, PointStream& scan, std::int64_t& points) {
+model::Parameters choose_parameters(const ModelArguments& args, PointStream& scan, LookAhead& ahead) {
   model::Parameters parameters;
   parameters.angle_rad = args.angle_deg * M_PI / 180;
   parameters.rules = args.rules;
-  points = scan.promised();
-  Estimate found;
-  const bool ranges_matter = !args.tolerance && args.noise && args.noise->varies();
-  if (!args.resolution || !args.noise || ranges_matter) {
-    const std::int64_t most = scan.is_standard_input() ? kLookAheadStream : kLookAheadFile;
-    found = estimate([&](const Take& take) { scan.look_ahead(most, take); });
-    if (found.points < most) points = found.points;
-  }
-  const NoiseArgument noise = args.noise ? *args.noise : rounded(found.noise);
+  const NoiseArgument noise = args.noise ? *args.noise : rounded(ahead.estimate().noise);
   set_noise(parameters, noise);
-  if (!args.resolution && !(found.area_per_point > 0)) refuse_few_points(args, scan);
+  if (!args.resolution && !(ahead.estimate().area_per_point > 0)) refuse_few_points(args, scan);
   parameters.resolution =
-      args.resolution ? *args.resolution : short_number(suitable_resolution(found, noise));
-  parameters.tolerance = args.tolerance
-                             ? *args.tolerance
-                             : short_number(suitable_tolerance(found, noise, parameters.resolution));
+      args.resolution ? *args.resolution : short_number(suitable_resolution(ahead.estimate(), noise));
+  if (args.tolerance) {
+    parameters.tolerance = *args.tolerance;
+  } else {
+    const double far_noise = noise.varies() ? noise.at(ahead.estimate().far_range) : noise.fixed;
+    parameters.tolerance = short_number(suitable_tolerance(far_noise, parameters.resolution));
+  }
   if (!args.quiet && (!args.resolution || !args.noise)) {
     std::string text;
     if (!args.resolution) text += " --resolution " + short_text(parameters.resolution);
@@ -103,10 +120,8 @@ model::Parameters choose_parameters(const ModelArguments& args, PointStream& sca
 }
 
 /// A scan that says no axes gets them from its own shape, which can only be a guess.
-void orient(PointStream& scan, const ModelArguments& args, double resolution) {
-  if (scan.first()->has_axis) return;
-  const std::int64_t most = scan.is_standard_input() ? kLookAheadStream : kLookAheadFile;
-  const Estimate found = estimate([&](const Take& take) { scan.look_ahead(most, take); });
+void orient(PointStream& scan, const ModelArguments& args, LookAhead& ahead, double resolution) {
+  const Estimate& found = ahead.estimate();
   scan.orient(Orientation::suitable_edge(found.area_per_point, found.noise.at(found.far_range), resolution));
   if (args.orient) return;
   const int pieces = scan.orientation()->components();
@@ -149,13 +164,14 @@ class Run {
 
   int go() {
     require_points(scan_, args_);
-    std::int64_t total = -1;
-    const model::Parameters parameters = choose_parameters(args_, scan_, total);
-    orient(scan_, args_, parameters.resolution);
+    LookAhead ahead(scan_);
+    const model::Parameters parameters = choose_parameters(args_, scan_, ahead);
+    axes_guessed_ = !scan_.first()->has_axis;
+    if (axes_guessed_) orient(scan_, args_, ahead, parameters.resolution);
     noise_ = {parameters.noise, parameters.noise_per_range, parameters.noise_per_range2};
     model::Model model = make_model(parameters);
     if (!args_.labels.empty()) model.keep_labels();
-    read_all(model, total);
+    read_all(model, ahead.points());
     const model::ModelRecord record = model.record();
     judge(record, "the final model");
     const Summary summary = summarise_run(record);
@@ -224,6 +240,7 @@ class Run {
     summary.refused += scan_.skipped();
     summary.violations = violations_;
     summary.seconds = seconds_;
+    summary.axes_guessed = axes_guessed_;
     summary.interrupted = interrupted_;
     if (!interrupted_) summary.damage = scan_.damage();
     return summary;
@@ -267,7 +284,7 @@ class Run {
   std::int64_t given_ = 0;  ///< points handed to the model
   std::int64_t sets_ = 0, violations_ = 0;
   double seconds_ = 0, judging_ = 0;
-  bool interrupted_ = false;
+  bool axes_guessed_ = false, interrupted_ = false;
 };
 
 }  // namespace

@@ -264,8 +264,6 @@ double suitable_resolution(const Estimate& estimate, const NoiseArgument& noise)
   return std::max({usual, wide, 10 * noise.at(estimate.near_range), 5 * noise.at(estimate.far_range)});
 }
 
-double suitable_tolerance(const Estimate& estimate, const NoiseArgument& noise, double resolution) {
-  return std::max(3 * noise.at(estimate.far_range), resolution / 5);
-}
+double suitable_tolerance(double noise, double resolution) { return std::max(3 * noise, resolution / 5); }
 
 }  // namespace limpet::app

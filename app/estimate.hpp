@@ -51,7 +51,7 @@ Estimate estimate(const Sample& sample);
 /// tells a plane's normal.
 double suitable_resolution(const Estimate& estimate, const NoiseArgument& noise);
 
-/// How far from its plane a surface may be: three times the noise where it is greatest, or λ/5.
-double suitable_tolerance(const Estimate& estimate, const NoiseArgument& noise, double resolution);
+/// How far from its plane a surface may be: three times the noise, taken where it is greatest, or λ/5.
+double suitable_tolerance(double noise, double resolution);
 
 }  // namespace limpet::app

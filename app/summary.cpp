@@ -58,6 +58,7 @@ std::string to_json(const Summary& s) {
   json["noise_per_range"] = s.noise.per_range;
   json["noise_per_range2"] = s.noise.per_range2;
   json["tolerance"] = s.tolerance;
+  json["axes_guessed"] = s.axes_guessed;
   json["interrupted"] = s.interrupted;
   json["damage"] = s.damage;
   // Names and messages may hold bytes that are no UTF-8.

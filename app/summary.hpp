@@ -26,6 +26,7 @@ struct Summary {
   double seconds = 0;           ///< reading and modelling; neither the oracle nor writing
   double resolution = 0, tolerance = 0;
   NoiseArgument noise;
+  bool axes_guessed = false;  ///< the scan said none: oriented by neighbour consistency
   bool interrupted = false;
   std::string damage;  ///< of the scan, after the last point
 

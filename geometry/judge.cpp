@@ -36,36 +36,6 @@ bool nested_rightly(std::span<const std::vector<NewVertex>> cycles) {
   return true;
 }
 
-}  // namespace
-
-const char* to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::valid:
-      return "valid";
-    case Verdict::degenerate_edge:
-      return "degenerate edge";
-    case Verdict::crossing:
-      return "crossing";
-    case Verdict::swept_vertex:
-      return "swept vertex";
-    case Verdict::orientation:
-      return "orientation";
-    case Verdict::too_few_vertices:
-      return "too few vertices";
-  }
-  return "?";
-}
-
-bool in_conflict(const KeyedEdge& e, const KeyedEdge& f) {
-  const bool aa = e.key_a == f.key_a, ab = e.key_a == f.key_b, ba = e.key_b == f.key_a,
-             bb = e.key_b == f.key_b;
-  if (!(aa || ab || ba || bb)) return segments_meet(e.a, e.b, f.a, f.b);
-  return (aa && edges_overlap(e.a, e.b, f.b)) || (ab && edges_overlap(e.a, e.b, f.a)) ||
-         (ba && edges_overlap(e.b, e.a, f.b)) || (bb && edges_overlap(e.b, e.a, f.a));
-}
-
-namespace {
-
 /// Calls f(i, j) for pairs i < j of edges that are near each other, among them all that touch; maybe more
 /// than once for a pair. f returns true to stop.
 template <class F>
@@ -99,6 +69,32 @@ bool any_near_pair(std::span<const KeyedEdge> edges, F&& f) {
 }
 
 }  // namespace
+
+const char* to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::valid:
+      return "valid";
+    case Verdict::degenerate_edge:
+      return "degenerate edge";
+    case Verdict::crossing:
+      return "crossing";
+    case Verdict::swept_vertex:
+      return "swept vertex";
+    case Verdict::orientation:
+      return "orientation";
+    case Verdict::too_few_vertices:
+      return "too few vertices";
+  }
+  return "?";
+}
+
+bool in_conflict(const KeyedEdge& e, const KeyedEdge& f) {
+  const bool aa = e.key_a == f.key_a, ab = e.key_a == f.key_b, ba = e.key_b == f.key_a,
+             bb = e.key_b == f.key_b;
+  if (!(aa || ab || ba || bb)) return segments_meet(e.a, e.b, f.a, f.b);
+  return (aa && edges_overlap(e.a, e.b, f.b)) || (ab && edges_overlap(e.a, e.b, f.a)) ||
+         (ba && edges_overlap(e.b, e.a, f.b)) || (bb && edges_overlap(e.b, e.a, f.a));
+}
 
 std::vector<std::pair<std::size_t, std::size_t>> find_conflicts(std::span<const KeyedEdge> edges) {
   std::vector<std::pair<std::size_t, std::size_t>> found;

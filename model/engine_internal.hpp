@@ -199,7 +199,6 @@ struct Standing {
   bool outside = false;           ///< of the perimeter
   double perimeter_distance = 0;  ///< grid steps, when outside
   geometry::Point2 chart_point;
-  double residual2 = 0;  ///< from the surface as it lies there, squared
 };
 /// Largest squared residual that data of this variance centred at p may have about the segment's plane.
 double residual_limit(const Engine&, const Segment& polygon, const Eigen::Vector3d& p, double variance);

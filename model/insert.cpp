@@ -7,7 +7,7 @@ namespace limpet::model::internal {
 namespace {
 
 struct Candidate {
-  double distance2;
+  double distance2;  ///< by which they are ordered, squared
   SegmentId id;
   Segment* segment;
   Standing standing;
@@ -24,7 +24,19 @@ void order(const Engine& e, std::vector<Candidate>& candidates) {
 void add_polygon(const Engine& e, Segment& s, const Eigen::Vector3d& p, const Eigen::Vector3d& axis,
                  double residual2, double variance, std::vector<Candidate>& candidates) {
   const Standing st = standing(e, s, p, axis, residual2, variance);
-  if (st.near) candidates.push_back({relief_kept(e) ? st.residual2 : st.distance2, s.id, &s, st});
+  if (st.near) candidates.push_back({st.distance2, s.id, &s, st});
+}
+
+/// Of several polygons that data at p fits, the one whose surface, as it lies there, is nearest comes first.
+void order_by_relief(const Engine& e, const Eigen::Vector3d& p, std::vector<Candidate>& polygons) {
+  if (polygons.size() < 2) return;
+  if (relief_kept(e))
+    for (Candidate& c : polygons) {
+      const auto local = c.segment->mature_polygon() ? local_residual(e, *c.segment, p) : std::nullopt;
+      const double height = local ? local->height : c.segment->fit.height_of(p);
+      c.distance2 = height * height;
+    }
+  order(e, polygons);
 }
 
 /// Point segments within λ of s, and polygons that it fits if these are still to be tried.
@@ -47,7 +59,7 @@ void neighbours(Engine& e, Segment& s, bool polygons_tried, std::vector<Candidat
       add_polygon(e, other, centroid, s.axis_sum, residual2, s.variance(), polygons);
     }
   }
-  order(e, polygons);
+  order_by_relief(e, centroid, polygons);
   if (!e.rules().best)
     polygons.insert(polygons.end(), points.begin(), points.end()), points.clear(), order(e, polygons);
   order(e, points);
@@ -100,7 +112,7 @@ void insert_point(Engine& e, const RawPoint& raw) {
     const double height = s.fit.height_of(p);
     if (height * height < lambda2) add_polygon(e, s, p, raw.axis, height * height, raw.variance, candidates);
   }
-  if (candidates.size() > 1) order(e, candidates);
+  order_by_relief(e, p, candidates);
   for (const Candidate& c : candidates)
     if (merge_point_into_polygon(e, *c.segment, raw, c.standing)) return;
   settle(e, &create_point_segment(e, raw), best);

@@ -11,10 +11,9 @@
 #include "engine_internal.hpp"
 
 namespace limpet::model::internal {
-
 namespace {
 
-/// The same by noise alone.
+/// residual_limit() by noise alone.
 double noise_limit(const Segment& polygon, const Eigen::Vector3d& p, double variance) {
   return 9 * (variance + polygon.fit.height_variance(p, polygon.variance()));
 }
@@ -38,12 +37,11 @@ Standing standing(const Engine& e, const Segment& s, const Eigen::Vector3d& p, c
   const PolygonPart& part = *s.polygon;
   result.chart_point = geometry::round_to_grid(part.chart.project(p));
   result.outside = part.perimeter.locate(result.chart_point) == geometry::Polygon::Side::outside;
-  result.distance2 = result.residual2 = height * height;
-  if (relief_kept(e) && s.mature_polygon()) {
+  result.distance2 = height * height;
+  if (relief_kept(e) && s.mature_polygon() && squared_residual > noise_limit(s, p, variance)) {
     const auto local = local_residual(e, s, p);
-    if (local) result.residual2 = local->height * local->height;
-    const bool goes_on = local && result.residual2 <= 9 * (variance + local->variance) + local->bend2;
-    if (!goes_on && squared_residual > noise_limit(s, p, variance)) return result;
+    if (!local || local->height * local->height > 9 * (variance + local->variance) + local->bend2)
+      return result;
   }
   if (result.outside) {
     const auto nearest = geometry::nearest_perimeter_point(part.perimeter, result.chart_point, e.gap);
