@@ -5,11 +5,12 @@
 #include <CGAL/Random.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
 
-#include "cgal_cloud.hpp"
-#include "estimate_normals.hpp"
+#include "cgal_cloud_internal.hpp"
 
 namespace limpet::benchmarks {
 namespace {
+
+using namespace internal;
 
 /// RANSAC leaves the points in another order than they came in: makes indices those of the file again.
 void restore_order(const ScanCase& scan_case, const std::string& path, const OrientedPoints& points,

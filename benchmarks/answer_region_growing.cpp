@@ -4,11 +4,12 @@
 #include <CGAL/Shape_detection/Region_growing/Region_growing.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
 
-#include "cgal_cloud.hpp"
-#include "estimate_normals.hpp"
+#include "cgal_cloud_internal.hpp"
 
 namespace limpet::benchmarks {
 namespace {
+
+using namespace internal;
 
 namespace growing = CGAL::Shape_detection::Point_set;
 using NearestQuery = growing::K_neighbor_query<Kernel, OrientedPoints, PointMap>;

@@ -87,8 +87,8 @@ class Scorer {
 
   RegionScore score() {
     std::vector<Instance> instances = correct_detections();
-    append(instances, over_segmentations());
-    append(instances, under_segmentations());
+    append(instances, in_pieces(RegionFate::over_segmented));
+    append(instances, in_pieces(RegionFate::under_segmented));
     choose(std::move(instances));
     count_fates();
     return std::move(score_);
@@ -133,44 +133,27 @@ class Scorer {
     return instances;
   }
 
-  std::vector<Instance> over_segmentations() const {
-    std::map<std::size_t, std::pair<Instance, std::int64_t>> pieces;  // of each true region, and their points
+  /// A region is in pieces when those of the other kind that lie in it, by T of their own points, hold T of
+  /// its points together: a true one in pieces is over-segmented, a found one is under-segmented.
+  std::vector<Instance> in_pieces(RegionFate fate) const {
+    const bool over = fate == RegionFate::over_segmented;
+    std::map<std::size_t, std::pair<Instance, std::int64_t>> wholes;  // and the points in their pieces
     for (const Meeting& meeting : meetings_) {
-      if (share_of_found(meeting) < overlap_) continue;
-      auto& [instance, shared] = pieces[meeting.truth];
-      instance.fate = RegionFate::over_segmented;
-      instance.truth = {meeting.truth};
-      instance.found.push_back(meeting.found);
-      instance.overlaps += share_of_found(meeting);
+      const double in_whole = over ? share_of_found(meeting) : share_of_true(meeting);
+      if (in_whole < overlap_) continue;
+      auto& [instance, shared] = wholes[over ? meeting.truth : meeting.found];
+      (over ? instance.found : instance.truth).push_back(over ? meeting.found : meeting.truth);
+      instance.overlaps += in_whole;
       shared += meeting.points;
     }
     std::vector<Instance> instances;
-    for (auto& [n, piece] : pieces) {
-      auto& [instance, shared] = piece;
-      if (instance.found.size() < 2 || share(shared, score_.truth[n].points) < overlap_) continue;
-      instance.overlaps += share(shared, score_.truth[n].points);
-      instances.push_back(std::move(instance));
-    }
-    return instances;
-  }
-
-  std::vector<Instance> under_segmentations() const {
-    std::map<std::size_t, std::pair<Instance, std::int64_t>>
-        merged;  // in each found region, and their points
-    for (const Meeting& meeting : meetings_) {
-      if (share_of_true(meeting) < overlap_) continue;
-      auto& [instance, shared] = merged[meeting.found];
-      instance.fate = RegionFate::under_segmented;
-      instance.truth.push_back(meeting.truth);
-      instance.found = {meeting.found};
-      instance.overlaps += share_of_true(meeting);
-      shared += meeting.points;
-    }
-    std::vector<Instance> instances;
-    for (auto& [m, merge] : merged) {
-      auto& [instance, shared] = merge;
-      if (instance.truth.size() < 2 || share(shared, score_.found[m].points) < overlap_) continue;
-      instance.overlaps += share(shared, score_.found[m].points);
+    for (auto& [whole, entry] : wholes) {
+      auto& [instance, shared] = entry;
+      const double held = share(shared, over ? score_.truth[whole].points : score_.found[whole].points);
+      if ((over ? instance.found : instance.truth).size() < 2 || held < overlap_) continue;
+      instance.fate = fate;
+      (over ? instance.truth : instance.found) = {whole};
+      instance.overlaps += held;
       instances.push_back(std::move(instance));
     }
     return instances;

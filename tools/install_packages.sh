@@ -7,12 +7,12 @@ packages=(
   g++ cmake ninja-build ccache mold clang-format
   libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libboost-dev libopenmesh-dev libpng-dev
   libcli11-dev nlohmann-json3-dev
-  libgtest-dev librapidcheck-dev
+  libgtest-dev librapidcheck-dev python3
   libcgal-demo)
 for group in "$@"; do
   case $group in
     lint) packages+=(clang-tidy) ;;
-    bench) packages+=(gnuplot-nox python3) ;;
+    bench) packages+=(gnuplot-nox) ;;
     *) echo "usage: $0 [lint] [bench]" >&2; exit 2 ;;
   esac
 done

@@ -30,7 +30,8 @@ class BareCloud : public testing::ProgramTest {
             "-o",           path(name + ".off"),
             "--noise",      "0.001",
             "--resolution", "0.05",
-            "--labels",     path(name + ".txt")};
+            "--labels",     path(name + ".txt"),
+            "--json",       path(name + ".json")};
   }
 };
 
@@ -41,6 +42,7 @@ TEST_F(BareCloud, IsOrientedByItsNeighboursWithAWarning) {
   EXPECT_EQ(result.error_lines(), 1) << result.err;
   EXPECT_NE(result.err.find("limpet: warning: "), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("--viewpoint"), std::string::npos) << result.err;
+  EXPECT_NE(read(path("a.json")).find("\"axes_guessed\": true"), std::string::npos);
   EXPECT_EQ(run({"compare", path("a.limpet"), "cube", "--faces", "exact", "--max-distance", "0.06"}).code, 0);
   // Kept as it stands, the mesh has the cube's volume, and not minus that: its faces look outward.
   EXPECT_NEAR(simulation::signed_volume(simulation::load_mesh(path("a.off"), simulation::kPlanarity, true)),

@@ -5,38 +5,21 @@
 
 #include <cmath>
 #include <limpet/app/estimate.hpp>
-#include <limpet/simulation/scan.hpp>
-#include <limpet/simulation/scene.hpp>
+
+#include "simulated.hpp"
 
 namespace limpet::app {
 namespace {
 
-struct Case {
-  std::string shape;
-  std::int64_t points;
-  simulation::ScanOptions::Order order;
-  double noise, outliers;
-};
-
-void PrintTo(const Case& c, std::ostream* out) {
-  *out << c.shape << ", " << c.points << " points, order " << static_cast<int>(c.order) << ", noise "
-       << c.noise << ", outliers " << c.outliers;
-}
+using Case = testing::SimulatedScan;
 
 class EstimateTest : public ::testing::TestWithParam<Case> {};
 
 TEST_P(EstimateTest, SpacingAndNoiseComeNearTheTruth) {
   const Case& c = GetParam();
-  const auto scene = simulation::make_scene(c.shape);
-  simulation::ScanOptions options;
-  options.points = c.points;
-  options.order = c.order;
-  options.noise = c.noise;
-  options.outliers = c.outliers;
-  options.viewpoints = scene.viewpoints;
-  const auto points = simulation::scan(scene.mesh, options);
+  const auto points = c.make();
   double area = 0;
-  for (const auto& face : simulation::faces_of(scene.mesh)) area += face.area;
+  for (const auto& face : simulation::faces_of(simulation::make_scene(c.shape).mesh)) area += face.area;
 
   const Estimate found = estimate([&](const Take& take) {
     for (const auto& p : points) take(p.point);

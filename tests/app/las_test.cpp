@@ -11,10 +11,6 @@ namespace {
 
 class Las : public testing::ProgramTest {
  protected:
-  void SetUp() override {
-    if (std::system("python3 -c '' 2>/dev/null") != 0) GTEST_SKIP() << "there is no python3";
-  }
-
   template <class Number>
   static void put(std::string& bytes, std::size_t at, Number value) {
     bytes.replace(at, sizeof value, reinterpret_cast<const char*>(&value), sizeof value);

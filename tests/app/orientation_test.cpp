@@ -8,9 +8,9 @@
 #include <limpet/app/estimate.hpp>
 #include <limpet/app/orientation.hpp>
 #include <limpet/simulation/random.hpp>
-#include <limpet/simulation/scan.hpp>
-#include <limpet/simulation/scene.hpp>
 #include <vector>
+
+#include "simulated.hpp"
 
 namespace limpet::app {
 namespace {
@@ -22,16 +22,10 @@ struct Cloud {
 };
 using Order = simulation::ScanOptions::Order;
 
-Cloud scan_of(const std::string& shape, std::int64_t points, Order order, double noise, double outliers) {
-  const auto scene = simulation::make_scene(shape);
-  simulation::ScanOptions options;
-  options.points = points;
-  options.noise = noise;
-  options.outliers = outliers;
-  options.order = order;
-  options.viewpoints = scene.viewpoints;
-  Cloud cloud{simulation::scan(scene.mesh, options), {}};
-  for (const auto& face : simulation::faces_of(scene.mesh)) cloud.normals.push_back(face.normal);
+Cloud scan_of(const testing::SimulatedScan& scan) {
+  Cloud cloud{scan.make(), {}};
+  for (const auto& face : simulation::faces_of(simulation::make_scene(scan.shape).mesh))
+    cloud.normals.push_back(face.normal);
   return cloud;
 }
 
@@ -70,23 +64,13 @@ Shares shares(const Orientation& orientation, const Cloud& cloud) {
 
 Shares shares(const Cloud& cloud) { return shares(orient(cloud), cloud); }
 
-struct Case {
-  std::string shape;
-  std::int64_t points;
-  Order order;
-  double noise, outliers;
-};
-
-void PrintTo(const Case& c, std::ostream* out) {
-  *out << c.shape << ", " << c.points << " points, order " << static_cast<int>(c.order) << ", noise "
-       << c.noise << ", outliers " << c.outliers;
-}
+using Case = testing::SimulatedScan;
 
 class OrientationTest : public ::testing::TestWithParam<Case> {};
 
 TEST_P(OrientationTest, IsThatOfTheSensors) {
   const Case& c = GetParam();
-  const Cloud cloud = scan_of(c.shape, c.points, c.order, c.noise, c.outliers);
+  const Cloud cloud = scan_of(c);
   const Shares found = shares(cloud);
   std::printf("%.3f %% right, %.3f %% wrong\n", 100 * found.right, 100 * found.wrong);
   EXPECT_GE(found.right, 0.98);
@@ -109,12 +93,12 @@ INSTANTIATE_TEST_SUITE_P(Scans, OrientationTest,
 
 /// What was scanned from inside is one piece too, but nothing says that it is inside out.
 TEST(Orientation, ARoomIsConsistentAndInsideOut) {
-  const Cloud cloud = scan_of("room:1", 100'000, Order::sampled, 0.002, 0);
+  const Cloud cloud = scan_of({"room:1", 100'000, Order::sampled, 0.002, 0});
   EXPECT_GE(shares(cloud).wrong, 0.97);
 }
 
 TEST(Orientation, DoesNotDependOnPlaceNorOnOrder) {
-  const Cloud cloud = scan_of("step_hole", 30'000, Order::sampled, 0.001, 0);
+  const Cloud cloud = scan_of({"step_hole", 30'000, Order::sampled, 0.001, 0});
   Cloud moved = cloud, reversed = cloud;
   for (auto& p : moved.points) p.point.position += Eigen::Vector3d(12345.6, -7654.3, 321);
   std::reverse(reversed.points.begin(), reversed.points.end());

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "../data_folder.hpp"
 #include "program.hpp"
 
 namespace limpet::app {
@@ -15,10 +16,7 @@ namespace {
 
 using testing::ProgramTest;
 
-std::string data(const std::string& name) {
-  const char* named = std::getenv("LIMPET_DATA");
-  return std::string(named ? named : LIMPET_DATA_DEFAULT) + "/" + name;
-}
+std::string data(const std::string& name) { return (limpet::testing::data_folder() / name).string(); }
 
 /// Points of a scan by polygon and by true label; label 0 of the scan is none.
 struct Regions {

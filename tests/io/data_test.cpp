@@ -7,15 +7,13 @@
 #include <limpet/io/label_source.hpp>
 #include <set>
 
+#include "../data_folder.hpp"
 #include "files.hpp"
 
 namespace limpet::io::testing {
 namespace {
 
-std::filesystem::path data_folder() {
-  const char* named = std::getenv("LIMPET_DATA");
-  return named ? named : LIMPET_DATA_DEFAULT;
-}
+using limpet::testing::data_folder;
 
 struct DataScan {
   std::string path;

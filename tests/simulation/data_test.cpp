@@ -12,13 +12,12 @@
 #include <limpet/simulation/scene.hpp>
 #include <ostream>
 
+#include "../data_folder.hpp"
+
 namespace limpet::simulation {
 namespace {
 
-std::filesystem::path data_folder() {
-  const char* named = std::getenv("LIMPET_DATA");
-  return named ? named : LIMPET_DATA_DEFAULT;
-}
+using limpet::testing::data_folder;
 
 struct DataMesh {
   std::string path;
@@ -29,7 +28,7 @@ struct DataMesh {
 
 void PrintTo(const DataMesh& mesh, std::ostream* out) { *out << mesh.path; }
 
-class DataMeshes : public testing::TestWithParam<DataMesh> {
+class DataMeshes : public ::testing::TestWithParam<DataMesh> {
  protected:
   void SetUp() override {
     path_ = data_folder() / GetParam().path;
@@ -65,7 +64,7 @@ TEST_P(DataMeshes, AreFaultlessModelsOfThemselves) {
 
 INSTANTIATE_TEST_SUITE_P(
     Polyhedra, DataMeshes,
-    testing::Values(
+    ::testing::Values(
         DataMesh{"cgal_meshes/cube.off", 6, 0, true}, DataMesh{"cgal_meshes/cube_quad.off", 6, 0, true},
         DataMesh{"cgal_meshes/cube_poly.off", 6, 0, true}, DataMesh{"cgal_meshes/prim.off", 6, 0, true},
         DataMesh{"cgal_meshes/cube-meshed.off", 6, 0, true},
