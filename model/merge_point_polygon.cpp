@@ -96,7 +96,7 @@ bool extend_perimeter(Engine& e, Segment& polygon, const Standing& st) {
 /// A polygon with so many points keeps them no longer one by one.
 void mature(Engine& e, Segment& polygon) {
   for (const RawPoint& raw : polygon.raw) add_to_relief(e, *polygon.polygon, e.world(raw.at), 1);
-  polygon.raw = {};
+  polygon.raw = std::vector<RawPoint>();  // `= {}` would keep the memory
 }
 
 void joined(Engine& e, Segment& polygon) {

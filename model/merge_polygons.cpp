@@ -126,7 +126,7 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   } else {
     for (const RawPoint& raw : a.raw) add_to_relief(e, part, e.world(raw.at), 1);
     add_to_relief(e, part, b);
-    a.raw = {};
+    a.raw = std::vector<RawPoint>();  // `= {}` would keep the memory
   }
   e.modelled_points += b.moments.count();  // which go when b does
   a.axis_sum += b.axis_sum;

@@ -94,7 +94,7 @@ void SpatialIndex::Grid::remove(const Entry& entry) {
         std::find_if(cell.begin(), cell.end(), [&](const Entry& e) { return e.slot == entry.slot; });
     *mine = cell.back();
     cell.pop_back();
-    if (cell.empty()) cell = {};
+    if (cell.empty()) cell = Cell();  // `= {}` would keep the memory
   });
   --size_;
 }
