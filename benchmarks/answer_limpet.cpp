@@ -29,6 +29,7 @@ Json stages_of(const model::StageTimes& t) {
           {"dissolving", t.dissolving},
           {"mergers", t.mergers},
           {"fissures", t.fissures},
+          {"sharing", t.sharing},
           {"rest", t.rest}};
 }
 

@@ -90,7 +90,7 @@ void add_stages(const CloudSpec& spec, const Json& best, const Json& staged, Tab
   std::vector<Json> row{spec.shape, spec.order, best["points"], ns(best["floor_seconds"]),
                         ns(best["reading_seconds"])};
   const double all = ns(best["seconds"]);
-  for (const char* stage : {"insertion", "dissolving", "mergers", "fissures", "rest"})
+  for (const char* stage : {"insertion", "dissolving", "mergers", "fissures", "sharing", "rest"})
     row.push_back(all * staged["stages"][stage].get<double>() / timed);
   row.push_back(all * staged["finish_wall_seconds"].get<double>() / timed);
   row.push_back(all);
@@ -133,6 +133,7 @@ ThroughputTables::ThroughputTables()
               {"dissolving"},
               {"mergers"},
               {"fissures"},
+              {"sharing"},
               {"rest"},
               {"finishing"},
               {"all"}}) {}

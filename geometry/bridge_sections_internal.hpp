@@ -75,15 +75,19 @@ class SectionSearch {
     Slot s = contact_.y.edge;
     for (std::size_t k = 1; k <= limit; ++k) {
       s = y_.next(s);
-      if (!near_x(y_.at(s))) break;
+      if (kept(y_, s) || !near_x(y_.at(s))) break;
       q_.push_back({s, static_cast<double>(k)});
     }
     s = contact_.y.edge;
     for (std::size_t k = 1; k <= limit && near_x(y_.at(s)); ++k) {
       s = y_.prev(s);
+      if (kept(y_, s)) break;
       q_.push_back({s, -static_cast<double>(k)});
     }
   }
+
+  /// A perimeter that meets itself keeps its shared edges; of two that merge they may go.
+  bool kept(const Polygon& polygon, Slot edge) const { return self_ && polygon.node(edge).shared; }
 
   bool near_x(Point2 p) const {
     if (self_) return squared_length(p - contact_.x.at) < 4 * gap_ * gap_;
@@ -101,6 +105,7 @@ class SectionSearch {
     Point2 inner = contact_.x.at;
     double inner_distance = std::sqrt(contact_.x.squared_distance);
     for (std::size_t k = 0; k < limit; ++k, s = forward ? x_.next(s) : x_.prev(s)) {
+      if (k > 0 && kept(x_, forward ? x_.prev(s) : s)) break;
       const auto foot = nearest_on_q(x_.at(s), forward);
       if (!foot) {
         result.push_back(cut_towards(s, inner, inner_distance, forward));
@@ -137,7 +142,7 @@ class SectionSearch {
     double best_d2 = gap_ * gap_;
     for (const Stretch& q : q_) {
       if (forward ? q.offset > 0 : q.offset < 0) continue;
-      if (y_.node(q.edge).shared && self_) continue;
+      if (kept(y_, q.edge)) continue;
       const Point2 a = y_.at(q.edge), b = y_.end(q.edge);
       double t = nearest_fraction(a, b, p);
       if (q.offset == 0) t = forward ? std::min(t, contact_.y.fraction) : std::max(t, contact_.y.fraction);

@@ -92,6 +92,7 @@ void remove_from_index(Engine& e, Segment& s) {
 
 void erase_segment(Engine& e, Segment& s) {
   const std::uint32_t slot = s.slot;
+  if (s.polygon) dissolve_all_neighbours(e, s);
   remove_from_index(e, s);
   e.slot_of.erase(s.id.value);
   if (s.polygon) e.modelled_area -= s.polygon->counted_area, e.modelled_points -= s.moments.count();
@@ -143,6 +144,7 @@ void description_changed(Engine& e, Segment& s, const Places& where) {
   ++s.polygon->shape;
   count_area(e, *s.polygon);
   s.polygon->changed.add(where);
+  if (e.parameters.neighbours && (e.finishing || !s.young())) s.polygon->unshared.add(where);
   mark_modified(e, s);
 }
 

@@ -54,6 +54,23 @@ struct PolygonPart {
   double counted_area = 0;  ///< what of its area is in Engine::modelled_area, λ²
   std::uint64_t shape = 0;  ///< counts changes of the description
   std::vector<std::pair<geometry::Slot, geometry::EdgeId>> fresh;  ///< edges not yet looked at for fissures
+  std::vector<geometry::EdgeId> shared;  ///< its edges that are shared with neighbours, ascending
+  Places unshared;           ///< where the description has changed since step 4 last saw it
+  std::vector<geometry::EdgeId> corners_due;  ///< shared edges that step 5 has not seen yet
+
+  /// A vertex in the world.
+  Eigen::Vector3d position(geometry::Slot s) const {
+    const geometry::Point2 v = perimeter.at(s);
+    return chart.at(v, published(v));
+  }
+  geometry::Plane plane() const { return published.plane(chart); }
+};
+
+/// One copy of a shared edge: where it is, and its other copy (thesis §2.2).
+struct SharedEdge {
+  std::uint32_t segment = 0;  ///< slot of its segment
+  geometry::Slot slot = geometry::kNoSlot;
+  geometry::EdgeId partner;
 };
 
 struct alignas(64) Segment {
@@ -111,6 +128,10 @@ struct Engine {
   bool labels_kept = false;
   std::vector<std::uint64_t> labels;                               ///< segment each point joined
   std::unordered_map<std::uint64_t, std::uint64_t> label_goes_to;  ///< merged segments
+
+  std::unordered_map<std::uint64_t, SharedEdge> shared;  ///< by the edge's identity
+  bool repositioning = false;  ///< the ends of copies may be apart for the moment
+  bool finishing = false;
 
   std::vector<std::uint32_t> found;  ///< scratch of queries
   StageClock stage_clock;
@@ -250,6 +271,49 @@ bool dissolve_young(Engine&);
 /// Young polygons that are none (rule `arrival`): their points are loose again.
 void release_slow_polygons(Engine&);
 void release_points(Engine&, Segment&, bool count_return);
+
+// neighbours.cpp: who shares what (§2.2, §2.8)
+/// The copy on the other side of a shared edge. Precondition: the edge is shared.
+SharedEdge& across(Engine&, geometry::EdgeId);
+/// Slots of the segments that share edges with s, ascending.
+std::vector<std::uint32_t> neighbours_of(const Engine&, const Segment& s);
+/// Edge a of one segment and edge b of the other are a corresponding pair from now on. Both are in their
+/// perimeters, or will be before boundary_changed() of their segments is called.
+void pair_edges(Engine&, Segment& of_a, geometry::EdgeId a, Segment& of_b, geometry::EdgeId b);
+/// After a change of its perimeter that may have touched shared edges: those that went are unshared, those
+/// that moved to other slots, or came from another segment, are found again. Edges put in place become fresh.
+/// Returns the edges that went and those put in place.
+struct BoundaryChange {
+  std::vector<geometry::EdgeId> removed;
+  std::vector<std::pair<geometry::Slot, geometry::EdgeId>> created;
+};
+BoundaryChange boundary_changed(Engine&, Segment&);
+/// Unsharing (§2.8): both copies become open edges. Where that leaves the copies of another shared edge with
+/// ends apart, that edge goes the same way.
+void unshare(Engine&, geometry::EdgeId);
+/// The two are no neighbours any more.
+void dissolve_neighbours(Engine&, Segment&, Segment&);
+void dissolve_all_neighbours(Engine&, Segment&);
+/// Unshares what §2.8 leaves with copies that do not meet: pairs of s and those of its neighbours.
+void unshare_where_ends_part(Engine&, Segment& s);
+/// The perimeter has been made anew, its edges with their identities: shared edges that did not come along are
+/// unshared.
+void perimeter_made_anew(Engine&, Segment&);
+
+// ordering.cpp: local and global ordering (§2.2)
+/// Dissolves what is disordered on the boundary cycles of s (§2.4.3, §2.6); whether anything was.
+bool dissolve_disordered(Engine&, Segment& s);
+
+// share_edges.cpp: §2.6 and step 4
+bool share_modified(Engine&);
+
+// corners.cpp: §2.7 and step 5
+bool form_corners_of_modified(Engine&);
+
+// reposition.cpp: §2.4.4
+/// Puts the shared edges of s, and their copies, onto the lines where the planes meet now. What cannot follow
+/// is unshared.
+void reposition(Engine&, Segment& s);
 
 // fissures.cpp: §2.5 and step 3
 bool fill_modified(Engine&);

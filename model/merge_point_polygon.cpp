@@ -97,6 +97,7 @@ bool extend_perimeter(Engine& e, Segment& polygon, const Standing& st) {
 void mature(Engine& e, Segment& polygon) {
   for (const RawPoint& raw : polygon.raw) add_to_relief(e, *polygon.polygon, e.world(raw.at), 1);
   polygon.raw = std::vector<RawPoint>();  // `= {}` would keep the memory
+  if (e.parameters.neighbours) polygon.polygon->unshared.add(polygon.polygon->box);
 }
 
 void joined(Engine& e, Segment& polygon) {

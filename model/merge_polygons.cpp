@@ -101,6 +101,7 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   if (!within(a.polygon->box, b.polygon->box, e.parameters.resolution) || !planes_agree(e, a, b) ||
       remembered_as_refused(e, a, b) || !may_meet_where_changed(e, s1, s2))
     return false;
+  if (!a.polygon->shared.empty() && !b.polygon->shared.empty()) dissolve_neighbours(e, a, b);
   PolygonPart& part = *a.polygon;
   auto other = in_chart_of(e, part.chart, *b.polygon);
   if (!other) return remember_refusal(e, a, b), false;
@@ -109,9 +110,9 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   if (merger == geometry::Merger::too_far || merger == geometry::Merger::refused)
     return remember_refusal(e, a, b), false;
 
-  const auto created = part.perimeter.take_created();
-  part.fresh.insert(part.fresh.end(), created.begin(), created.end());
-  std::vector<geometry::EdgeId> removed = part.perimeter.take_removed();
+  const bool were_shared = !part.shared.empty() || !b.polygon->shared.empty();
+  e.repositioning = were_shared;  // edges that come from b are not on their lines yet
+  auto [removed, created] = boundary_changed(e, a);
   Places where = changed_places(a, b, created);
   for (const Box3& place : where.boxes()) part.box.extend(place);
   const auto lost = lost_edges(*other, created);
@@ -144,6 +145,11 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   e.changes.push_back({Change::Kind::merged, old_a, old_b, a.id, {}});
   if (!removed.empty()) e.changes.push_back({Change::Kind::edges_removed, {}, {}, a.id, std::move(removed)});
   refit(e, a);
+  e.repositioning = false;
+  if (were_shared) {
+    reposition(e, a);
+    dissolve_disordered(e, a);
+  }
   part.initial = a.fit.plane();
   description_changed(e, a, where);
   update_index(e, a);

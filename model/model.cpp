@@ -53,6 +53,7 @@ Counts Model::counts() const {
     c.holes += static_cast<std::int64_t>(s->polygon->perimeter.hole_count());
     c.edges += static_cast<std::int64_t>(s->polygon->perimeter.edge_count());
   }
+  c.shared_edges = static_cast<std::int64_t>(state_->engine.shared.size() / 2);
   return c;
 }
 

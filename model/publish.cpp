@@ -53,14 +53,12 @@ bool rechart(Engine& e, Segment& s) {
   const geometry::Lift lift(part.chart, plane);
   auto perimeter = polygon_in(e, chart, part.chart, lift, part.perimeter);
   if (!perimeter) return false;
-  // Slots are new: what was fresh is looked at again, all of it.
   std::swap(part.chart, chart);
   rechart_relief(e, part, chart);
   part.perimeter = std::move(*perimeter);
   part.published = geometry::Lift(part.chart, plane);
   part.outward = plane.normal;
-  part.perimeter.take_removed();
-  part.fresh = part.perimeter.take_created();
+  perimeter_made_anew(e, s);  // slots are new: what was fresh is looked at again, all of it
   return true;
 }
 
@@ -101,12 +99,14 @@ void publish(Engine& e, Segment& s) {
   if (shift <= e.gap / 16 * e.sin_angle) return;
   part.stale = s.moments.count() > 0 && !faces_outside(s.fit.normal, s.axis_sum);
   if (part.stale) return;
+  const bool outermost = !std::exchange(e.repositioning, true);
   if (!(lift.squared_tilt() > kRechartTilt2 && rechart(e, s))) {
     part.stale = lift.squared_tilt() > kMaxTilt2;
-    if (part.stale) return;
-    part.published = lift;
-    part.outward = s.fit.normal;
+    if (!part.stale) part.published = lift, part.outward = s.fit.normal;
   }
+  e.repositioning = !outermost;
+  if (part.stale) return;
+  reposition(e, s);
   part.box = perimeter_box(part);
   description_changed(e, s, part.box);
   update_index(e, s);

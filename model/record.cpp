@@ -21,7 +21,7 @@ PointSegmentRecord point_record(const Segment& s) {
   return {s.id.value, s.moments.record(), s.axis_sum, raw_records(s), 0};
 }
 
-PolygonSegmentRecord polygon_record(const Segment& s) {
+PolygonSegmentRecord polygon_record(const Engine& e, const Segment& s) {
   const PolygonPart& part = *s.polygon;
   PolygonSegmentRecord r;
   r.id = s.id.value;
@@ -36,7 +36,9 @@ PolygonSegmentRecord polygon_record(const Segment& s) {
   r.initial_normal = part.initial.normal;
   for (const auto& cycle : part.perimeter.boundary()) {
     auto& vertices = r.cycles.emplace_back();
-    for (const auto& v : cycle) vertices.push_back({v.at.x, v.at.y, v.edge.value, 0});
+    for (const auto& v : cycle)
+      vertices.push_back(
+          {v.at.x, v.at.y, v.edge.value, v.shared ? e.shared.at(v.edge.value).partner.value : 0});
   }
   r.raw = raw_records(s);
   return r;
@@ -61,6 +63,31 @@ Segment& segment_from(Engine& e, std::uint64_t id, const MomentsRecord& moments,
   return s;
 }
 
+/// The copies of shared edges on this segment.
+void shared_from(Engine& e, Segment& s, const PolygonSegmentRecord& r) {
+  std::unordered_map<std::uint64_t, std::uint64_t> partner;
+  for (const auto& cycle : r.cycles)
+    for (const VertexRecord& v : cycle)
+      if (v.partner != 0) partner[v.edge] = v.partner;
+  PolygonPart& part = *s.polygon;
+  for (std::uint32_t i = 0; i < part.perimeter.slot_count(); ++i) {
+    const auto& node = part.perimeter.node(geometry::Slot{i});
+    if (!node.edge || !node.shared) continue;
+    e.shared[node.edge.value] = {s.slot, geometry::Slot{i}, {partner.at(node.edge.value)}};
+    part.shared.push_back(node.edge);
+  }
+  std::sort(part.shared.begin(), part.shared.end());
+}
+
+void require_partners(const Engine& e) {
+  for (const auto& [edge, entry] : e.shared) {
+    const auto partner = e.shared.find(entry.partner.value);
+    if (partner == e.shared.end() || partner->second.partner.value != edge ||
+        partner->second.segment == entry.segment)
+      throw std::invalid_argument("shared edge " + std::to_string(edge) + " has no partner on another segment");
+  }
+}
+
 void polygon_from(Engine& e, const PolygonSegmentRecord& r) {
   Segment& s = segment_from(e, r.id, r.moments, r.axis_sum, r.variance_sum, r.raw);
   s.polygon = std::make_unique<PolygonPart>();
@@ -80,6 +107,7 @@ void polygon_from(Engine& e, const PolygonSegmentRecord& r) {
                                 " is not a valid polygon");
   part.perimeter = std::move(*perimeter);
   part.perimeter.take_created();
+  shared_from(e, s, r);
   part.box = perimeter_box(part);
   e.modelled_points += s.moments.count();
   count_area(e, part);
@@ -110,7 +138,7 @@ ModelRecord to_record(const Engine& e) {
   for (const auto& s : e.segments) {
     if (!s) continue;
     if (s->polygon)
-      r.polygon_segments.push_back(polygon_record(*s));
+      r.polygon_segments.push_back(polygon_record(e, *s));
     else
       r.point_segments.push_back(point_record(*s));
     if (e.noise_grows())
@@ -137,6 +165,7 @@ void from_record(Engine& e, const ModelRecord& r) {
     update_index(e, s);
   }
   for (const PolygonSegmentRecord& p : r.polygon_segments) polygon_from(e, p);
+  require_partners(e);
 }
 
 }  // namespace limpet::model::internal

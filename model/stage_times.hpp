@@ -9,6 +9,7 @@ struct StageTimes {
   double dissolving = 0;  ///< young segments beside mature polygons
   double mergers = 0;     ///< of polygons
   double fissures = 0;    ///< step 3
+  double sharing = 0;     ///< steps 4 and 5
   double rest = 0;        ///< flags, outliers, and what else finishing does
 };
 

@@ -55,6 +55,14 @@ bool mergers_and_fissures(Engine& e) {
   return any;
 }
 
+/// Steps 4 and 5; whether anything changed.
+bool shared_edges_and_corners(Engine& e) {
+  bool any = share_modified(e);
+  any |= form_corners_of_modified(e);
+  e.stage_clock.lap(&StageTimes::sharing);
+  return any;
+}
+
 /// Step 6.
 void clear_flags(Engine& e) {
   for (const std::uint32_t slot : e.modified)
@@ -101,7 +109,9 @@ bool drop_all_chance_holes(Engine& e) {
 /// Marks what the last round left changed.
 void mark_changed(Engine& e) {
   for (const auto& s : e.segments)
-    if (s && s->polygon && !(s->polygon->changed.empty() && s->polygon->fresh.empty())) mark_modified(e, *s);
+    if (s && s->polygon && !(s->polygon->changed.empty() && s->polygon->fresh.empty() &&
+                             s->polygon->unshared.empty() && s->polygon->corners_due.empty()))
+      mark_modified(e, *s);
 }
 
 void mark_all(Engine& e) {
@@ -110,6 +120,8 @@ void mark_all(Engine& e) {
     mark_modified(e, *s);
     if (!s->polygon) continue;
     s->polygon->changed.add(s->polygon->box);
+    s->polygon->unshared = e.parameters.neighbours ? Places(s->polygon->box) : Places();
+    s->polygon->corners_due = s->polygon->shared;
     s->polygon->fresh.clear();
     for (std::uint32_t i = 0; i < s->polygon->perimeter.slot_count(); ++i)
       if (const geometry::Slot slot{i}; s->polygon->perimeter.alive(slot))
@@ -125,6 +137,7 @@ void update_set(Engine& e, std::span<const SensorPoint> set) {
   insert_readings(e, set);
   e.stage_clock.lap(&StageTimes::insertion);
   mergers_and_fissures(e);
+  shared_edges_and_corners(e);
   clear_flags(e);
   expire_outliers(e);
   e.stage_clock.lap(&StageTimes::rest);
@@ -144,14 +157,16 @@ void finish(Engine& e) {
   release_all_point_segments(e);
   mark_all(e);
   e.refused_pairs.clear();
+  e.finishing = true;
   e.stage_clock.lap(&StageTimes::rest);
   for (int round = 0; round < kMaxFinishRounds; ++round) {
-    const bool any = mergers_and_fissures(e) || drop_all_chance_holes(e);
+    const bool any = mergers_and_fissures(e) || drop_all_chance_holes(e) || shared_edges_and_corners(e);
     clear_flags(e);
     e.stage_clock.lap(&StageTimes::rest);
     if (!any) break;
     mark_changed(e);
   }
+  e.finishing = false;
 }
 
 }  // namespace limpet::model::internal

@@ -1,0 +1,56 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <optional>
+
+#include <limpet/geometry/chart.hpp>
+
+namespace limpet::model::internal {
+
+/// The copies of a shared edge's end, each rounded in its own chart, may be this many grid steps / sin θ apart
+/// (the oracle allows 4), θ the angle between the planes; the vertices may be so many off the other plane.
+inline constexpr double kEndSteps = 3.5, kLineSteps = 1.6;
+/// Below this sine of the angle between them two planes have no line to share edges on.
+inline constexpr double kLeastSine = 0.02;
+
+inline double sine_between(const geometry::Plane& a, const geometry::Plane& b) {
+  const Eigen::Vector3d c = a.normal.cross(b.normal);
+  return std::sqrt(c.dot(c));
+}
+
+/// The line where two planes meet, along n₁ × n₂: the anticlockwise direction of edges that the first shares
+/// with the second where they meet convexly (thesis §2.2).
+struct CommonLine {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d along = Eigen::Vector3d::UnitX();  ///< unit
+  double sine = 1;                                   ///< of the angle between the planes
+
+  /// Scan's unit from the origin along the line.
+  double place_of(const Eigen::Vector3d& p) const { return along.dot(p - origin); }
+  Eigen::Vector3d at(double place) const { return origin + place * along; }
+};
+
+/// Nothing when the planes are parallel, or as good as that. The origin is the line's point nearest to `near`.
+inline std::optional<CommonLine> common_line(const geometry::Plane& a, const geometry::Plane& b,
+                                             const Eigen::Vector3d& near) {
+  CommonLine line;
+  line.along = a.normal.cross(b.normal);
+  line.sine = std::sqrt(line.along.dot(line.along));
+  if (!(line.sine > kLeastSine)) return std::nullopt;
+  line.along /= line.sine;
+  const double cosine = a.normal.dot(b.normal), ha = a.height_of(near), hb = b.height_of(near);
+  const double det = line.sine * line.sine;
+  line.origin = near + (cosine * hb - ha) / det * a.normal + (cosine * ha - hb) / det * b.normal;
+  return line;
+}
+
+/// Where three planes meet; nothing when they do so nowhere, or nowhere near.
+inline std::optional<Eigen::Vector3d> common_point(const CommonLine& line, const geometry::Plane& plane) {
+  const double slope = plane.normal.dot(line.along);
+  if (!(std::abs(slope) > kLeastSine)) return std::nullopt;
+  return line.at(-plane.height_of(line.origin) / slope);
+}
+
+}  // namespace limpet::model::internal

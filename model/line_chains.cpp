@@ -1,0 +1,191 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "line_chains_internal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <unordered_set>
+
+#include <limpet/geometry/predicates.hpp>
+
+namespace limpet::model::internal {
+namespace {
+
+using geometry::Point2;
+using geometry::Slot;
+
+/// Takes the line's part inside a box out of a window.
+bool clip(LineWindow& window, const CommonLine& line, const Box3& box) {
+  for (int i = 0; i < 3; ++i) {
+    const double o = line.origin[i], d = line.along[i];
+    if (std::abs(d) < 1e-12) {
+      if (o < box.min()[i] || o > box.max()[i]) return false;
+      continue;
+    }
+    const double p = (box.min()[i] - o) / d, q = (box.max()[i] - o) / d;
+    window.begin = std::max(window.begin, std::min(p, q));
+    window.end = std::min(window.end, std::max(p, q));
+  }
+  return window.begin < window.end;
+}
+
+class ChainWalk {
+ public:
+  ChainWalk(Engine& e, const Segment& a, const Segment& b, const CommonLine& line, const LineWindow& window,
+            double reach)
+      : e_(e),
+        part_(*a.polygon),
+        other_(b.slot),
+        line_(line),
+        sideways_(a.polygon->plane().normal.cross(line.along)),
+        window_(window),
+        reach_(reach) {}
+
+  std::vector<LineChain> all() {
+    std::vector<LineChain> chains;
+    for (const auto& [edge, slot] : seeds())
+      if (!visited_.count(static_cast<std::uint32_t>(slot))) chains.push_back(chain_through(slot));
+    return chains;
+  }
+
+ private:
+  Station station(Slot s) const {
+    const Eigen::Vector3d p = part_.position(s);
+    return {line_.place_of(p), sideways_.dot(p - line_.origin), part_.perimeter.at(s), s};
+  }
+  bool near(const Station& s) const { return std::abs(s.offset) < reach_; }
+
+  /// May the chain go on along this edge?
+  bool passable(Slot s) const {
+    const auto& node = part_.perimeter.node(s);
+    return !node.shared || across(e_, node.edge).segment == other_;
+  }
+
+  /// Edges in the window that come near the line, by identity.
+  std::vector<std::pair<geometry::EdgeId, Slot>> seeds() const {
+    std::vector<std::pair<geometry::EdgeId, Slot>> found;
+    const double piece = 4 * reach_;
+    const auto pieces = static_cast<int>(std::min(4096.0, std::ceil((window_.end - window_.begin) / piece)));
+    for (int i = 0; i < pieces; ++i) {
+      const double from = window_.begin + (window_.end - window_.begin) * i / pieces,
+                   to = window_.begin + (window_.end - window_.begin) * (i + 1) / pieces;
+      geometry::Box2 box;
+      box.add(part_.chart.project(line_.at(from)));
+      box.add(part_.chart.project(line_.at(to)));
+      part_.perimeter.any_edge_near(box.grown(reach_ / e_.step), [&](Slot s) {
+        if (!passable(s)) return false;
+        const Station u = station(s), v = station(part_.perimeter.next(s));
+        const bool beside = near(u) || near(v) || (u.offset < 0) != (v.offset < 0);
+        if (beside && std::min(u.place, v.place) < window_.end && std::max(u.place, v.place) > window_.begin)
+          found.emplace_back(part_.perimeter.node(s).edge, s);
+        return false;
+      });
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  /// Where the edge between a near station and a far one, or two far ones, leaves the strip beside `far`.
+  Station cut(const Station& from, const Station& far) const {
+    const double limit = std::copysign(0.999 * reach_, far.offset);
+    const double fraction = (limit - from.offset) / (far.offset - from.offset);
+    const Point2 at = geometry::round_to_grid(from.at + fraction * (far.at - from.at));
+    return {from.place + fraction * (far.place - from.place), limit, at, geometry::kNoSlot};
+  }
+
+  bool within_window(const Station& s) const {
+    return s.place > window_.begin - reach_ && s.place < window_.end + reach_;
+  }
+
+  LineChain chain_through(Slot seed) {
+    const auto& perimeter = part_.perimeter;
+    std::deque<Station> stations;
+    std::deque<Slot> edges{seed};
+    visited_.insert(static_cast<std::uint32_t>(seed));
+    const Station u = station(seed), v = station(perimeter.next(seed));
+    stations.push_back(near(u) ? u : cut(v, u));
+    stations.push_back(near(v) ? v : cut(u, v));
+    while (stations.back().vertex != geometry::kNoSlot && within_window(stations.back())) {
+      const Slot edge = stations.back().vertex;
+      if (!passable(edge) || !visited_.insert(static_cast<std::uint32_t>(edge)).second) break;
+      const Station next = station(perimeter.next(edge));
+      edges.push_back(edge);
+      stations.push_back(near(next) ? next : cut(stations.back(), next));
+    }
+    while (stations.front().vertex != geometry::kNoSlot && within_window(stations.front())) {
+      const Slot edge = perimeter.prev(stations.front().vertex);
+      if (!passable(edge) || !visited_.insert(static_cast<std::uint32_t>(edge)).second) break;
+      const Station before = station(edge);
+      edges.push_front(edge);
+      stations.push_front(near(before) ? before : cut(stations.front(), before));
+    }
+    return {{stations.begin(), stations.end()}, {edges.begin(), edges.end()}};
+  }
+
+  Engine& e_;
+  const PolygonPart& part_;
+  std::uint32_t other_;
+  const CommonLine& line_;
+  Eigen::Vector3d sideways_;
+  LineWindow window_;
+  double reach_;
+  std::unordered_set<std::uint32_t> visited_;
+};
+
+/// Length along the line, by direction, of what of the chains is where.
+struct Stretch {
+  double begin, end;
+  bool forward;
+};
+
+std::vector<Stretch> stretches_of(const std::vector<LineChain>& chains) {
+  std::vector<Stretch> result;
+  for (const LineChain& chain : chains)
+    for (std::size_t i = 0; i + 1 < chain.stations.size(); ++i) {
+      const double p = chain.stations[i].place, q = chain.stations[i + 1].place;
+      if (p != q) result.push_back({std::min(p, q), std::max(p, q), p < q});
+    }
+  return result;
+}
+
+}  // namespace
+
+std::optional<LineWindow> window_of(const Engine& e, const CommonLine& line, const PolygonPart& a,
+                                    const PolygonPart& b) {
+  constexpr double kFar = std::numeric_limits<double>::max() / 4;
+  LineWindow window{-kFar, kFar};
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(e.parameters.resolution);
+  for (const PolygonPart* part : {&a, &b})
+    if (!clip(window, line, Box3(part->box.min() - reach, part->box.max() + reach))) return std::nullopt;
+  return window;
+}
+
+std::vector<LineChain> line_chains(Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
+                                   const LineWindow& window, double reach) {
+  return ChainWalk(e, a, b, line, window, reach).all();
+}
+
+Concavity concavity_of(Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
+                       const std::vector<LineChain>& chains_a, const std::vector<LineChain>& chains_b) {
+  for (const geometry::EdgeId edge : a.polygon->shared) {
+    if (across(e, edge).segment != b.slot) continue;
+    const Slot s = e.shared.at(edge.value).slot;
+    const bool forward =
+        line.place_of(a.polygon->position(s)) < line.place_of(a.polygon->position(a.polygon->perimeter.next(s)));
+    return forward ? Concavity::convex : Concavity::concave;
+  }
+  // The two registers of §2.6.1: overlaps of edges that run opposite to each other.
+  double convex = 0, concave = 0;
+  const auto of_b = stretches_of(chains_b);
+  for (const Stretch& p : stretches_of(chains_a))
+    for (const Stretch& q : of_b) {
+      const double overlap = std::min(p.end, q.end) - std::max(p.begin, q.begin);
+      if (overlap > 0 && p.forward != q.forward) (p.forward ? convex : concave) += overlap;
+    }
+  if (convex == concave) return Concavity::undecided;
+  return convex > concave ? Concavity::convex : Concavity::concave;
+}
+
+}  // namespace limpet::model::internal

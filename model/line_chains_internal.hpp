@@ -1,0 +1,47 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <vector>
+
+#include "common_line_internal.hpp"
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+
+/// A perimeter point near a common line.
+struct Station {
+  double place = 0;   ///< of its foot on the line, scan's unit
+  double offset = 0;  ///< in the polygon's plane from the line, scan's unit; the sign tells the side
+  geometry::Point2 at;
+  geometry::Slot vertex = geometry::kNoSlot;  ///< none: a point on the edge before or behind it
+};
+
+/// A stretch of perimeter that lies within λ of a common line and on which the only shared edges are those of
+/// the two segments (thesis §2.6): stations one after the other, and the edges from each to the next.
+struct LineChain {
+  std::vector<Station> stations;
+  std::vector<geometry::Slot> edges;  ///< one less than the stations
+};
+
+/// A piece of a line: from one place to another.
+struct LineWindow {
+  double begin = 0, end = 0;
+};
+
+/// The stretch of the line on which both polygons can be near it; nothing if there is none.
+std::optional<LineWindow> window_of(const Engine&, const CommonLine&, const PolygonPart& a, const PolygonPart& b);
+
+/// All chains of `a` along its line with `b` that come into the window, in its perimeter's direction. `reach`,
+/// scan's unit, is how far they may be from the line.
+std::vector<LineChain> line_chains(Engine&, const Segment& a, const Segment& b, const CommonLine&,
+                                   const LineWindow&, double reach);
+
+/// Convex or concave, where `a` comes first in the line's n₁ × n₂ (thesis §2.6.1).
+enum class Concavity { undecided, convex, concave };
+
+/// That of neighbours is the one of any edge they share; else it is decided by the edges that lie opposite to
+/// each other along the line.
+Concavity concavity_of(Engine&, const Segment& a, const Segment& b, const CommonLine&,
+                       const std::vector<LineChain>& chains_a, const std::vector<LineChain>& chains_b);
+
+}  // namespace limpet::model::internal

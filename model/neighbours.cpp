@@ -1,0 +1,168 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Who shares which edge with whom (thesis §2.2), and unsharing (§2.8). The registry knows both copies of every
+// shared edge by identity; coordinates decide nothing here but whether two ends still coincide.
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "common_line_internal.hpp"
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+using geometry::EdgeId;
+using geometry::Slot;
+
+void insert_sorted(std::vector<EdgeId>& edges, EdgeId edge) {
+  const auto at = std::lower_bound(edges.begin(), edges.end(), edge);
+  if (at == edges.end() || *at != edge) edges.insert(at, edge);
+}
+
+void erase_sorted(std::vector<EdgeId>& edges, EdgeId edge) {
+  const auto at = std::lower_bound(edges.begin(), edges.end(), edge);
+  if (at != edges.end() && *at == edge) edges.erase(at);
+}
+
+/// Takes one copy out of the books; the edge itself may be gone already.
+void forget(Engine& e, EdgeId edge) {
+  const auto entry = e.shared.find(edge.value);
+  Segment& s = e.at(entry->second.segment);
+  const Slot slot = entry->second.slot;
+  e.shared.erase(entry);
+  PolygonPart& part = *s.polygon;
+  erase_sorted(part.shared, edge);
+  if (slot == geometry::kNoSlot || !part.perimeter.alive(slot) || part.perimeter.node(slot).edge != edge) return;
+  part.perimeter.set_shared(slot, false);
+  Box3 where(part.position(slot));
+  description_changed(e, s, where.extend(part.position(part.perimeter.next(slot))));
+}
+
+/// Does a vertex join two edges that are shared with different neighbours?
+bool is_corner(Engine& e, const Segment& s, Slot vertex) {
+  const auto& perimeter = s.polygon->perimeter;
+  const auto &before = perimeter.node(perimeter.prev(vertex)), &after = perimeter.node(vertex);
+  return before.shared && after.shared && across(e, before.edge).segment != across(e, after.edge).segment;
+}
+
+/// The ends of the pairs that meet a vertex, which is no corner any more, or one on one side only.
+bool ends_meet(Engine& e, EdgeId edge) {
+  const SharedEdge &mine = e.shared.at(edge.value), &other = across(e, edge);
+  if (mine.slot == geometry::kNoSlot || other.slot == geometry::kNoSlot) return true;  // about to be put there
+  const Segment &a = e.at(mine.segment), &b = e.at(other.segment);
+  const double sine = sine_between(a.polygon->plane(), b.polygon->plane());
+  const double reach = kEndSteps * e.step / sine;
+  const auto meet = [&](Slot p, Slot q) {
+    if (is_corner(e, a, p) || is_corner(e, b, q)) return true;
+    return (a.polygon->position(p) - b.polygon->position(q)).squaredNorm() <= reach * reach;
+  };
+  return meet(mine.slot, b.polygon->perimeter.next(other.slot)) &&
+         meet(a.polygon->perimeter.next(mine.slot), other.slot);
+}
+
+/// Shared edges before and after this one on its perimeter, of which it may have been a corner partner.
+void adjoining(Engine& e, EdgeId edge, std::vector<EdgeId>& result) {
+  const SharedEdge& entry = e.shared.at(edge.value);
+  if (entry.slot == geometry::kNoSlot) return;
+  const auto& perimeter = e.at(entry.segment).polygon->perimeter;
+  if (!perimeter.alive(entry.slot) || perimeter.node(entry.slot).edge != edge) return;
+  for (const Slot s : {perimeter.prev(entry.slot), perimeter.next(entry.slot)})
+    if (perimeter.node(s).shared) result.push_back(perimeter.node(s).edge);
+}
+
+}  // namespace
+
+SharedEdge& across(Engine& e, EdgeId edge) { return e.shared.at(e.shared.at(edge.value).partner.value); }
+
+std::vector<std::uint32_t> neighbours_of(const Engine& e, const Segment& s) {
+  std::vector<std::uint32_t> slots;
+  for (const EdgeId edge : s.polygon->shared)
+    slots.push_back(e.shared.at(e.shared.at(edge.value).partner.value).segment);
+  std::sort(slots.begin(), slots.end());
+  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+  return slots;
+}
+
+void pair_edges(Engine& e, Segment& of_a, EdgeId a, Segment& of_b, EdgeId b) {
+  e.shared[a.value] = {of_a.slot, geometry::kNoSlot, b};
+  e.shared[b.value] = {of_b.slot, geometry::kNoSlot, a};
+  insert_sorted(of_a.polygon->shared, a);
+  insert_sorted(of_b.polygon->shared, b);
+  of_a.polygon->corners_due.push_back(a);
+  of_b.polygon->corners_due.push_back(b);
+  for (Segment* s : {&of_a, &of_b}) mark_modified(e, *s);
+}
+
+BoundaryChange boundary_changed(Engine& e, Segment& s) {
+  PolygonPart& part = *s.polygon;
+  BoundaryChange change{part.perimeter.take_removed(), part.perimeter.take_created()};
+  for (const auto& [slot, edge] : change.created) {
+    part.fresh.emplace_back(slot, edge);
+    if (!part.perimeter.alive(slot) || part.perimeter.node(slot).edge != edge || !part.perimeter.node(slot).shared)
+      continue;
+    SharedEdge& entry = e.shared.at(edge.value);
+    if (entry.segment != s.slot) erase_sorted(e.at(entry.segment).polygon->shared, edge);
+    entry.segment = s.slot, entry.slot = slot;
+    insert_sorted(part.shared, edge);
+  }
+  for (const EdgeId edge : change.removed)
+    if (e.shared.count(edge.value)) unshare(e, edge);
+  return change;
+}
+
+void unshare(Engine& e, EdgeId edge) {
+  std::vector<EdgeId> going{edge};
+  while (!going.empty()) {
+    const EdgeId next = going.back();
+    going.pop_back();
+    const auto entry = e.shared.find(next.value);
+    if (entry == e.shared.end()) continue;
+    const EdgeId partner = entry->second.partner;
+    std::vector<EdgeId> beside;
+    adjoining(e, next, beside);
+    adjoining(e, partner, beside);
+    e.changes.push_back({Change::Kind::unshared,
+                         e.at(entry->second.segment).id,
+                         e.at(e.shared.at(partner.value).segment).id,
+                         {},
+                         {next, partner}});
+    forget(e, next);
+    forget(e, partner);
+    for (const EdgeId b : beside)
+      if (!e.repositioning && e.shared.count(b.value) && !ends_meet(e, b)) going.push_back(b);
+  }
+}
+
+void dissolve_neighbours(Engine& e, Segment& a, Segment& b) {
+  const std::vector<EdgeId> edges = a.polygon->shared;
+  for (const EdgeId edge : edges)
+    if (e.shared.count(edge.value) && across(e, edge).segment == b.slot) unshare(e, edge);
+}
+
+void dissolve_all_neighbours(Engine& e, Segment& s) {
+  while (!s.polygon->shared.empty()) unshare(e, s.polygon->shared.front());
+}
+
+void unshare_where_ends_part(Engine& e, Segment& s) {
+  std::vector<EdgeId> edges = s.polygon->shared;
+  for (const std::uint32_t n : neighbours_of(e, s)) {
+    const auto& theirs = e.at(n).polygon->shared;
+    edges.insert(edges.end(), theirs.begin(), theirs.end());
+  }
+  for (const EdgeId edge : edges)
+    if (e.shared.count(edge.value) && !ends_meet(e, edge)) unshare(e, edge);
+}
+
+void perimeter_made_anew(Engine& e, Segment& s) {
+  const std::vector<EdgeId> edges = s.polygon->shared;
+  for (const EdgeId edge : edges) e.shared.at(edge.value).slot = geometry::kNoSlot;
+  s.polygon->fresh.clear();
+  boundary_changed(e, s);
+  for (const EdgeId edge : edges)
+    if (const auto entry = e.shared.find(edge.value);
+        entry != e.shared.end() && entry->second.slot == geometry::kNoSlot)
+      unshare(e, edge);
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,102 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// The order of shared edges on boundary cycles (thesis §2.2), and what goes when it is broken (§2.4.3, §2.6).
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+using geometry::CycleId;
+using geometry::EdgeId;
+using geometry::Slot;
+
+/// The shared edges of one cycle in its direction, with the segment beyond each.
+struct SharedCycle {
+  std::vector<EdgeId> edges;
+  std::vector<std::uint32_t> neighbours;
+};
+
+SharedCycle shared_on(Engine& e, const geometry::Polygon& perimeter, const geometry::Polygon::Cycle& cycle) {
+  SharedCycle result;
+  Slot s = cycle.first;
+  for (std::uint32_t i = 0; i < cycle.size; ++i, s = perimeter.next(s)) {
+    const auto& node = perimeter.node(s);
+    if (!node.shared) continue;
+    result.edges.push_back(node.edge);
+    result.neighbours.push_back(across(e, node.edge).segment);
+  }
+  return result;
+}
+
+/// Two neighbours whose edges alternate (a b a b): read with a stack of the neighbours still open, an edge
+/// belongs to one that another has closed.
+std::optional<std::pair<std::uint32_t, std::uint32_t>> globally_disordered(const SharedCycle& cycle) {
+  std::vector<std::uint32_t> open, closed, closed_by;
+  for (const std::uint32_t n : cycle.neighbours) {
+    if (const auto c = std::find(closed.begin(), closed.end(), n); c != closed.end())
+      return std::pair(n, closed_by[static_cast<std::size_t>(c - closed.begin())]);
+    const auto at = std::find(open.begin(), open.end(), n);
+    if (at == open.end()) {
+      open.push_back(n);
+      continue;
+    }
+    for (; open.back() != n; open.pop_back()) closed.push_back(open.back()), closed_by.push_back(n);
+  }
+  return std::nullopt;
+}
+
+/// A neighbour on one cycle of which the partners do not come in falling order, wrapping once.
+std::optional<std::uint32_t> locally_disordered(Engine& e, const SharedCycle& cycle) {
+  // The place of each partner on its own cycle, found by walking that cycle once.
+  std::map<std::pair<std::uint32_t, CycleId>, std::vector<EdgeId>> partners;
+  for (const EdgeId edge : cycle.edges) {
+    const SharedEdge& other = across(e, edge);
+    partners[{other.segment, e.at(other.segment).polygon->perimeter.node(other.slot).cycle}].push_back(
+        e.shared.at(edge.value).partner);
+  }
+  for (const auto& [place, sequence] : partners) {
+    if (sequence.size() < 3) continue;  // two are in any order
+    const auto& perimeter = e.at(place.first).polygon->perimeter;
+    std::unordered_map<std::uint64_t, std::size_t> at;
+    const SharedCycle theirs = shared_on(e, perimeter, perimeter.cycle(place.second));
+    for (std::size_t i = 0; i < theirs.edges.size(); ++i) at[theirs.edges[i].value] = i;
+    std::size_t rises = 0;
+    for (std::size_t k = 0; k < sequence.size(); ++k)
+      rises += at[sequence[k].value] < at[sequence[(k + 1) % sequence.size()].value];
+    if (rises > 1) return place.first;
+  }
+  return std::nullopt;
+}
+
+bool dissolve_first_disorder(Engine& e, Segment& s) {
+  const auto& perimeter = s.polygon->perimeter;
+  for (const auto& cycle : perimeter.cycles()) {
+    if (cycle.size == 0) continue;
+    const SharedCycle shared = shared_on(e, perimeter, cycle);
+    if (shared.edges.size() < 3) continue;
+    if (const auto other = locally_disordered(e, shared)) {
+      dissolve_neighbours(e, s, e.at(*other));
+      return true;
+    }
+    if (const auto both = globally_disordered(shared)) {
+      dissolve_neighbours(e, s, e.at(both->first));
+      dissolve_neighbours(e, s, e.at(both->second));
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool dissolve_disordered(Engine& e, Segment& s) {
+  bool any = false;
+  while (!s.polygon->shared.empty() && dissolve_first_disorder(e, s)) any = true;
+  return any;
+}
+
+}  // namespace limpet::model::internal

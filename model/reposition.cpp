@@ -1,0 +1,205 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Repositioning shared edges (thesis §2.4.4) as one transaction over a segment and its neighbours: all vertices
+// are worked out, every perimeter judges its change, and either all are made or an edge is unshared and all is
+// worked out anew. With none left there is nothing to move, so it ends.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <limpet/geometry/predicates.hpp>
+
+#include "common_line_internal.hpp"
+#include "engine_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+using geometry::EdgeId;
+using geometry::Point2;
+using geometry::Slot;
+
+constexpr double kLeastSteps = 8;  ///< grid steps: a shorter shared edge is given up
+constexpr int kMaxTries = 12;      ///< then all edges of the segment are unshared
+
+class Repositioning {
+ public:
+  Repositioning(Engine& e, Segment& s) : e_(e), s_(s) {}
+
+  void run() {
+    for (int tries = 0; !s_.polygon->shared.empty(); ++tries) {
+      if (tries == kMaxTries) return dissolve_all_neighbours(e_, s_);
+      const auto offender = work_out();
+      if (!offender) return commit();
+      unshare(e_, *offender);
+    }
+  }
+
+ private:
+  /// New places of all vertices that move, and the edits; or the edge that cannot follow.
+  std::optional<EdgeId> work_out() {
+    moves_.clear(), edits_.clear();
+    const std::vector<EdgeId> edges = s_.polygon->shared;
+    for (const EdgeId edge : edges)
+      if (!place_ends(edge)) return edge;
+    for (const EdgeId edge : edges)
+      if (!pair_holds(edge)) return edge;
+    for (const auto& [segment, places] : moves_) {
+      const geometry::Polygon& perimeter = e_.at(segment).polygon->perimeter;
+      geometry::Edit edit = edit_of(perimeter, places);
+      if (edit.chains.empty() && edit.loops.empty()) continue;
+      if (perimeter.judge(edit) != geometry::Verdict::valid) return offender_on(segment, places);
+      edits_.emplace_back(segment, std::move(edit));
+    }
+    return std::nullopt;
+  }
+
+  /// Of the edges shared with s that move on this perimeter, the one of lowest identity.
+  EdgeId offender_on(std::uint32_t segment, const std::map<Slot, Point2>& places) {
+    const geometry::Polygon& perimeter = e_.at(segment).polygon->perimeter;
+    for (const EdgeId edge : s_.polygon->shared) {
+      const SharedEdge &mine = e_.shared.at(edge.value), &other = across(e_, edge);
+      const SharedEdge& here = segment == s_.slot ? mine : other;
+      if (here.segment != segment) continue;
+      for (const Slot end : {here.slot, perimeter.next(here.slot)})
+        if (const auto move = places.find(end); move != places.end() && move->second != perimeter.at(end))
+          return edge;
+    }
+    return s_.polygon->shared.front();
+  }
+
+  std::optional<CommonLine> line_of(const Segment& a, EdgeId edge, const Eigen::Vector3d& near) {
+    return common_line(a.polygon->plane(), e_.at(across(e_, edge).segment).polygon->plane(), near);
+  }
+
+  /// Where the vertex of `a` goes that ends edge `edge`; `other`: the edge on its other side.
+  bool place(const Segment& a, Slot vertex, EdgeId edge, EdgeId other, bool corner, const Eigen::Vector3d& from) {
+    const auto line = line_of(a, edge, from);
+    if (!line) return false;
+    Eigen::Vector3d to = line->at(line->place_of(from));
+    if (corner) {
+      const auto point = common_point(*line, e_.at(across(e_, other).segment).polygon->plane());
+      if (!point) return false;
+      to = *point;
+    }
+    const double lambda = e_.parameters.resolution;
+    if ((to - from).squaredNorm() >= lambda * lambda) return false;
+    moves_[a.slot][vertex] = geometry::round_to_grid(a.polygon->chart.project(to));
+    return true;
+  }
+
+  /// Do two edges that adjoin lead to different neighbours?
+  bool is_corner(EdgeId edge, EdgeId other, bool other_shared) {
+    return other_shared && across(e_, edge).segment != across(e_, other).segment;
+  }
+
+  bool place_ends(EdgeId edge) {
+    const SharedEdge &mine = e_.shared.at(edge.value), &theirs = across(e_, edge);
+    const EdgeId copy = mine.partner;
+    Segment& n = e_.at(theirs.segment);
+    const auto &perimeter = s_.polygon->perimeter, &other = n.polygon->perimeter;
+    for (const bool begin : {true, false}) {
+      const Slot p = begin ? mine.slot : perimeter.next(mine.slot);
+      const Slot q = begin ? other.next(theirs.slot) : theirs.slot;
+      const auto& beside_p = perimeter.node(begin ? perimeter.prev(p) : p);
+      const auto& beside_q = other.node(begin ? q : other.prev(q));
+      const bool corner_p = is_corner(edge, beside_p.edge, beside_p.shared);
+      const bool corner_q = is_corner(copy, beside_q.edge, beside_q.shared);
+      const Eigen::Vector3d from_p = s_.polygon->position(p);
+      // Where neither is a corner, both go to the foot of the same point.
+      const Eigen::Vector3d from_q = corner_p || corner_q ? n.polygon->position(q) : from_p;
+      if (!place(s_, p, edge, beside_p.edge, corner_p, from_p) ||
+          !place(n, q, copy, beside_q.edge, corner_q, from_q))
+        return false;
+    }
+    return true;
+  }
+
+  /// A vertex where it will be.
+  Eigen::Vector3d after(const Segment& a, Slot vertex) const {
+    if (const auto of_a = moves_.find(a.slot); of_a != moves_.end())
+      if (const auto move = of_a->second.find(vertex); move != of_a->second.end())
+        return a.polygon->chart.at(move->second, a.polygon->published(move->second));
+    return a.polygon->position(vertex);
+  }
+
+  /// Do the copies keep their direction, and overlap?
+  bool pair_holds(EdgeId edge) {
+    const SharedEdge &mine = e_.shared.at(edge.value), &theirs = across(e_, edge);
+    const Segment& n = e_.at(theirs.segment);
+    const auto &perimeter = s_.polygon->perimeter, &other = n.polygon->perimeter;
+    const Eigen::Vector3d p1 = after(s_, mine.slot), p2 = after(s_, perimeter.next(mine.slot)),
+                          q1 = after(n, other.next(theirs.slot)), q2 = after(n, theirs.slot);
+    const Eigen::Vector3d along =
+        s_.polygon->position(perimeter.next(mine.slot)) - s_.polygon->position(mine.slot);
+    const double length2 = along.dot(along), least = kLeastSteps * e_.step * std::sqrt(length2);
+    if (along.dot(p2 - p1) < least || along.dot(q2 - q1) < least) return false;
+    return std::min(along.dot(p2), along.dot(q2)) - std::max(along.dot(p1), along.dot(q1)) >= least;
+  }
+
+  /// Moves of vertices as one edit. A cycle of which all vertices move is put in place anew.
+  static geometry::Edit edit_of(const geometry::Polygon& perimeter, const std::map<Slot, Point2>& places) {
+    geometry::Edit edit;
+    const auto moved = [&](Slot s) {
+      const auto at = places.find(s);
+      return at != places.end() && at->second != perimeter.at(s);
+    };
+    const auto as_moved = [&](Slot s) {
+      return geometry::NewVertex{places.at(s), perimeter.node(s).edge, perimeter.node(s).shared};
+    };
+    std::vector<Slot> done;
+    for (const auto& [slot, to] : places) {
+      if (!moved(slot) || std::find(done.begin(), done.end(), slot) != done.end()) continue;
+      Slot first = slot;
+      while (moved(perimeter.prev(first)) && perimeter.prev(first) != slot) first = perimeter.prev(first);
+      const bool whole = moved(perimeter.prev(first));
+      std::vector<geometry::NewVertex> via;
+      Slot s = first;
+      do {
+        via.push_back(as_moved(s));
+        done.push_back(s);
+        s = perimeter.next(s);
+      } while (moved(s) && s != first);
+      if (whole) {
+        edit.loops.push_back(std::move(via));
+        edit.removed_cycles.push_back(perimeter.node(first).cycle);
+        continue;
+      }
+      const Slot from = perimeter.prev(first);
+      edit.chains.push_back({from, std::move(via), s, perimeter.node(from).edge, perimeter.node(from).shared});
+    }
+    return edit;
+  }
+
+  void commit() {
+    for (const auto& [segment, edit] : edits_) e_.at(segment).polygon->perimeter.commit(edit, e_.edge_ids);
+    for (const auto& [segment, edit] : edits_) {
+      Segment& t = e_.at(segment);
+      const BoundaryChange change = boundary_changed(e_, t);
+      const Places where = places_of(*t.polygon, change.created);
+      for (const Box3& place : where.boxes()) t.polygon->box.extend(place);
+      description_changed(e_, t, where);
+      update_index(e_, t);
+      if (!change.removed.empty())
+        e_.changes.push_back({Change::Kind::edges_removed, {}, {}, t.id, change.removed});
+    }
+  }
+
+  Engine& e_;
+  Segment& s_;
+  std::map<std::uint32_t, std::map<Slot, Point2>> moves_;
+  std::vector<std::pair<std::uint32_t, geometry::Edit>> edits_;
+};
+
+}  // namespace
+
+void reposition(Engine& e, Segment& s) {
+  if (s.polygon->shared.empty()) return;
+  const bool outermost = !std::exchange(e.repositioning, true);
+  Repositioning(e, s).run();
+  if (!outermost) return;
+  e.repositioning = false;
+  unshare_where_ends_part(e, s);
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,310 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Step 4 of the update: forming shared edges (thesis §2.6). A section P of one perimeter and a section Q of
+// the other are extended to a section L of the line where the two planes meet.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <limpet/geometry/predicates.hpp>
+
+#include "line_chains_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+using geometry::EdgeId;
+using geometry::Point2;
+using geometry::Slot;
+
+constexpr int kMaxPairsFormed = 64;  ///< by one look at two segments
+constexpr double kLeastSteps = 16;   ///< grid steps: no shorter edge is formed, nor for less of an open one
+
+/// One side of a pair to be: a chain turned so that places rise along it, and the perimeter it is on.
+struct Side {
+  Segment* segment = nullptr;
+  const LineChain* chain = nullptr;
+  bool reversed = false;  ///< the perimeter runs against the chain
+
+  std::size_t size() const { return chain->stations.size(); }
+  const Station& station(std::size_t i) const { return chain->stations[i]; }
+  const geometry::Polygon& perimeter() const { return segment->polygon->perimeter; }
+  bool shared(std::size_t edge) const { return perimeter().node(chain->edges[edge]).shared; }
+  /// Does a shared edge of the two end here?
+  bool anchor(std::size_t i) const { return (i > 0 && shared(i - 1)) || (i + 1 < size() && shared(i)); }
+};
+
+/// P, or Q: what lies between two places on a chain.
+struct Section {
+  Station begin, end;
+  std::size_t first_edge = 0, last_edge = 0;        ///< `begin` is on the first of these, `end` on the last
+  bool begin_anchored = false, end_anchored = false;  ///< a shared edge of the two begins, ends there
+};
+
+/// The chain with places that rise along L.
+LineChain turned(LineChain chain, bool reverse, double sign) {
+  if (reverse) {
+    std::reverse(chain.stations.begin(), chain.stations.end());
+    std::reverse(chain.edges.begin(), chain.edges.end());
+  }
+  for (Station& s : chain.stations) s.place *= sign;
+  return chain;
+}
+
+Station between(const Station& a, const Station& b, double place) {
+  const double fraction = (place - a.place) / (b.place - a.place);
+  return {place, a.offset + fraction * (b.offset - a.offset),
+          geometry::round_to_grid(a.at + fraction * (b.at - a.at)), geometry::kNoSlot};
+}
+
+/// The part of the chain that leads from place `begin` to place `end` and projects into L; nothing if there
+/// is none, or an end of it would fall inside a shared edge.
+std::optional<Section> section_of(const Side& side, double begin, double end) {
+  std::optional<std::size_t> low;
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    if (side.station(i).place <= begin) low = i;
+    if (side.station(i).place < end || !low || *low == i) continue;
+    Section s;
+    const Station &a = side.station(*low), &b = side.station(*low + 1);
+    s.first_edge = *low, s.last_edge = i - 1;
+    if (a.place < begin && side.shared(*low)) return std::nullopt;
+    s.begin = a.place == begin ? a : between(a, b, begin);
+    s.begin_anchored = a.place == begin && side.anchor(*low);
+    const Station &c = side.station(i - 1), &d = side.station(i);
+    if (d.place > end && side.shared(i - 1)) return std::nullopt;
+    s.end = d.place == end ? d : between(c, d, end);
+    s.end_anchored = d.place == end && side.anchor(i);
+    return s;
+  }
+  return std::nullopt;
+}
+
+/// The shared edges on a section, ascending, and the length along the line of the open ones.
+struct Content {
+  std::vector<EdgeId> shared;
+  double open = 0;
+};
+
+Content content_of(const Side& side, const Section& section) {
+  Content content;
+  for (std::size_t i = section.first_edge; i <= section.last_edge; ++i) {
+    if (side.shared(i)) {
+      content.shared.push_back(side.perimeter().node(side.chain->edges[i]).edge);
+      continue;
+    }
+    const double from = std::max(side.station(i).place, section.begin.place),
+                 to = std::min(side.station(i + 1).place, section.end.place);
+    content.open += std::max(0.0, to - from);
+  }
+  std::sort(content.shared.begin(), content.shared.end());
+  return content;
+}
+
+/// The change of one perimeter: `section` gives way to the edge `id` between the chart points l1 and l2.
+geometry::Edit edit_for(const Side& side, const Section& section, Point2 l1, Point2 l2, EdgeId id) {
+  const bool r = side.reversed;
+  const Station &first = r ? section.end : section.begin, &last = r ? section.begin : section.end;
+  const bool first_anchored = r ? section.end_anchored : section.begin_anchored,
+             last_anchored = r ? section.begin_anchored : section.end_anchored;
+  const Slot first_edge = side.chain->edges[r ? section.last_edge : section.first_edge],
+             last_edge = side.chain->edges[r ? section.first_edge : section.last_edge];
+  if (r) std::swap(l1, l2);
+  const bool first_cut = first.vertex == geometry::kNoSlot, last_cut = last.vertex == geometry::kNoSlot;
+
+  geometry::Chain chain{first_cut ? first_edge : first.vertex, {},
+                        last_cut ? side.perimeter().next(last_edge) : last.vertex};
+  if (first_cut && first.at != l1) chain.via.push_back({first.at});
+  if (!first_cut && (first_anchored || first.at == l1)) {
+    chain.edge = id, chain.shared = true;
+  } else {
+    chain.via.push_back({l1, id, true});
+  }
+  if (last_cut || (!last_anchored && last.at != l2)) chain.via.push_back({l2});
+  if (last_cut && last.at != l2) chain.via.push_back({last.at});
+  geometry::Edit edit;
+  edit.chains.push_back(std::move(chain));
+  return edit;
+}
+
+class PairFormer {
+ public:
+  PairFormer(Engine& e, Segment& a, Segment& b, const CommonLine& line, double sign)
+      : e_(e), a_(a), b_(b), line_(line), sign_(sign) {}
+
+  /// Forms one pair from two chains, the longest that can be; whether there was one.
+  bool form(const LineChain& p, const LineChain& q) {
+    const LineChain rising_p = turned(p, false, sign_), rising_q = turned(q, true, sign_);
+    p_ = {&a_, &rising_p, false}, q_ = {&b_, &rising_q, true};
+    const auto [low_p, high_p] = range(rising_p);
+    const auto [low_q, high_q] = range(rising_q);
+    const double low = std::max(low_p, low_q), high = std::min(high_p, high_q);
+    if (high - low < kLeastSteps * e_.step) return false;
+    places_ = {low, high};
+    for (const LineChain* chain : {&rising_p, &rising_q})
+      for (const Station& s : chain->stations)
+        if (s.place > low && s.place < high) places_.push_back(s.place);
+    std::sort(places_.begin(), places_.end());
+    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+    return form_between(0, places_.size() - 1);
+  }
+
+ private:
+  static std::pair<double, double> range(const LineChain& chain) {
+    const auto [low, high] =
+        std::minmax_element(chain.stations.begin(), chain.stations.end(),
+                            [](const Station& a, const Station& b) { return a.place < b.place; });
+    return {low->place, high->place};
+  }
+
+  /// Tries sections from near the one place to near the other, longest first; where none will do, those in
+  /// each half.
+  bool form_between(std::size_t low, std::size_t high) {
+    constexpr std::size_t kEnds = 4;
+    for (std::size_t less = 0; less < 2 * kEnds - 1; ++less)
+      for (std::size_t i = less < kEnds ? 0 : less - kEnds + 1; i <= std::min(less, kEnds - 1); ++i)
+        if (low + i + (less - i) < high && form_section(places_[low + i], places_[high - (less - i)])) return true;
+    if (high - low < 2) return false;
+    const std::size_t middle = low + (high - low) / 2;
+    return form_between(low, middle) || form_between(middle, high);
+  }
+
+  bool form_section(double begin, double end) {
+    const double least = kLeastSteps * e_.step;
+    if (end - begin < least) return false;
+    const auto p = section_of(p_, begin, end), q = section_of(q_, begin, end);
+    if (!p || !q) return false;
+    const Content on_p = content_of(p_, *p), on_q = content_of(q_, *q);
+    if (on_p.open < least || on_q.open < least || !correspond(on_p.shared, on_q.shared)) return false;
+    return commit(*p, *q);
+  }
+
+  /// Are these the same pairs?
+  bool correspond(const std::vector<EdgeId>& on_p, const std::vector<EdgeId>& on_q) const {
+    if (on_p.size() != on_q.size()) return false;
+    return std::all_of(on_p.begin(), on_p.end(), [&](EdgeId edge) {
+      return std::binary_search(on_q.begin(), on_q.end(), e_.shared.at(edge.value).partner);
+    });
+  }
+
+  Point2 seen_in(const Segment& s, double place) const {
+    return geometry::round_to_grid(s.polygon->chart.project(line_.at(sign_ * place)));
+  }
+
+  bool commit(const Section& p, const Section& q) {
+    // An end that is anchored on one side only would leave the copies apart.
+    if (p.begin_anchored != q.begin_anchored || p.end_anchored != q.end_anchored) return false;
+    const EdgeId id_p = e_.edge_ids.take(), id_q = e_.edge_ids.take();
+    const auto edit_p = edit_for(p_, p, seen_in(a_, p.begin.place), seen_in(a_, p.end.place), id_p);
+    const auto edit_q = edit_for(q_, q, seen_in(b_, p.begin.place), seen_in(b_, p.end.place), id_q);
+    if (a_.polygon->perimeter.judge(edit_p) != geometry::Verdict::valid ||
+        b_.polygon->perimeter.judge(edit_q) != geometry::Verdict::valid)
+      return false;
+    a_.polygon->perimeter.commit(edit_p, e_.edge_ids);
+    b_.polygon->perimeter.commit(edit_q, e_.edge_ids);
+    pair_edges(e_, a_, id_p, b_, id_q);
+    const std::array changes = {std::pair{&a_, boundary_changed(e_, a_)}, std::pair{&b_, boundary_changed(e_, b_)}};
+    for (const auto& [s, change] : changes) {
+      const Places where = places_of(*s->polygon, change.created);
+      for (const Box3& place : where.boxes()) s->polygon->box.extend(place);
+      description_changed(e_, *s, where);
+      update_index(e_, *s);
+      if (!change.removed.empty())
+        e_.changes.push_back({Change::Kind::edges_removed, {}, {}, s->id, change.removed});
+    }
+    e_.changes.push_back({Change::Kind::shared, a_.id, b_.id, {}, {id_p, id_q}});
+    return true;
+  }
+
+  Engine& e_;
+  Segment &a_, &b_;
+  const CommonLine& line_;
+  double sign_;  ///< of the direction of L along the line
+  Side p_, q_;
+  std::vector<double> places_;
+};
+
+/// By identity: the ends of a corresponding pair are at one place, that of a's copy.
+void match_places(Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
+                  std::vector<LineChain>& chains_b) {
+  const auto place_on_a = [&](Slot s) { return line.place_of(a.polygon->position(s)); };
+  for (LineChain& chain : chains_b)
+    for (std::size_t i = 0; i < chain.edges.size(); ++i) {
+      const auto& node = b.polygon->perimeter.node(chain.edges[i]);
+      if (!node.shared) continue;
+      const Slot mine = across(e, node.edge).slot;
+      chain.stations[i].place = place_on_a(a.polygon->perimeter.next(mine));
+      chain.stations[i + 1].place = place_on_a(mine);
+    }
+}
+
+/// Forms one pair of shared edges, if one can be.
+bool share_once(Engine& e, Segment& a, Segment& b, const CommonLine& line, const LineWindow& window) {
+  const double reach = e.parameters.resolution;
+  const auto chains_a = line_chains(e, a, b, line, window, reach);
+  if (chains_a.empty()) return false;
+  auto chains_b = line_chains(e, b, a, line, window, reach);
+  if (chains_b.empty()) return false;
+  const Concavity concavity = concavity_of(e, a, b, line, chains_a, chains_b);
+  if (concavity == Concavity::undecided) return false;
+  match_places(e, a, b, line, chains_b);
+  PairFormer former(e, a, b, line, concavity == Concavity::convex ? 1 : -1);
+  for (const LineChain& p : chains_a)
+    for (const LineChain& q : chains_b)
+      if (former.form(p, q)) return true;
+  return false;
+}
+
+bool may_share(const Engine& e, const Segment& s) { return s.polygon && (e.finishing || !s.young()); }
+
+/// Does the line come near where s has changed?
+bool passes(const Engine& e, const CommonLine& line, const Places& places) {
+  return std::any_of(places.boxes().begin(), places.boxes().end(), [&](const Box3& box) {
+    const Eigen::Vector3d d = box.center() - line.origin;
+    const double reach = box.diagonal().norm() / 2 + 2 * e.parameters.resolution;
+    const double t = line.along.dot(d);
+    return d.dot(d) - t * t < reach * reach;
+  });
+}
+
+bool share_pair(Engine& e, Segment& a, Segment& b, const Places& places) {
+  const geometry::Plane pa = a.polygon->plane(), pb = b.polygon->plane();
+  if (pa.normal.dot(pb.normal) >= e.cos_angle) return false;
+  const Box3 both(a.polygon->box.min().cwiseMax(b.polygon->box.min()),
+                  a.polygon->box.max().cwiseMin(b.polygon->box.max()));
+  const auto line = common_line(pa, pb, (both.min() + both.max()) / 2);
+  if (!line || !passes(e, *line, places)) return false;
+  const auto window = window_of(e, *line, *a.polygon, *b.polygon);
+  if (!window) return false;
+  int formed = 0;
+  while (formed < kMaxPairsFormed && share_once(e, a, b, *line, *window)) ++formed;
+  if (formed == 0) return false;
+  dissolve_disordered(e, a);
+  dissolve_disordered(e, b);
+  return true;
+}
+
+}  // namespace
+
+bool share_modified(Engine& e) {
+  if (!e.parameters.neighbours) return false;
+  std::vector<std::pair<SegmentId, std::uint32_t>> turn;
+  for (const std::uint32_t slot : e.modified)
+    if (e.segments[slot] && e.segments[slot]->polygon && !e.segments[slot]->polygon->unshared.empty())
+      turn.emplace_back(e.segments[slot]->id, slot);
+  std::sort(turn.begin(), turn.end());
+  bool any = false;
+  for (const auto& [id, slot] : turn) {
+    Segment* s = e.find(id, slot);
+    if (!s || !may_share(e, *s)) continue;
+    const Places places = std::exchange(s->polygon->unshared, {});
+    query(e.polygons, places, e.found);
+    std::vector<std::pair<SegmentId, std::uint32_t>> others;
+    for (const std::uint32_t other : e.found)
+      if (other != slot && may_share(e, e.at(other))) others.emplace_back(e.at(other).id, other);
+    std::sort(others.begin(), others.end());
+    for (const auto& other : others) any |= share_pair(e, *s, e.at(other.second), places);
+  }
+  return any;
+}
+
+}  // namespace limpet::model::internal
