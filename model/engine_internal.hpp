@@ -132,6 +132,7 @@ struct Engine {
   std::unordered_map<std::uint64_t, SharedEdge> shared;  ///< by the edge's identity
   bool repositioning = false;  ///< the ends of copies may be apart for the moment
   bool finishing = false;
+  double section_reach = 1;  ///< λ: how far a section that gives way to a shared edge may be from it
 
   std::vector<std::uint32_t> found;  ///< scratch of queries
   StageClock stage_clock;
@@ -319,6 +320,9 @@ void reposition(Engine&, Segment& s);
 bool fill_modified(Engine&);
 
 // voids.cpp: holes that chance alone explains
+/// Would chance alone leave this area empty between k of m points of which there are `density` to a unit of
+/// area? Lengths in grid steps.
+bool empty_by_chance(double area, std::size_t k, std::int64_t m, double density, double gap);
 bool drop_chance_holes(Engine&, Segment&);
 
 // update.cpp: §2.3

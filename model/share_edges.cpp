@@ -41,13 +41,13 @@ struct Section {
   bool begin_anchored = false, end_anchored = false;  ///< a shared edge of the two begins, ends there
 };
 
-/// The chain with places that rise along L.
+/// The chain with places that rise along L, and offsets that are positive inside.
 LineChain turned(LineChain chain, bool reverse, double sign) {
   if (reverse) {
     std::reverse(chain.stations.begin(), chain.stations.end());
     std::reverse(chain.edges.begin(), chain.edges.end());
   }
-  for (Station& s : chain.stations) s.place *= sign;
+  for (Station& s : chain.stations) s.place *= sign, s.offset *= reverse ? -sign : sign;
   return chain;
 }
 
@@ -98,6 +98,30 @@ Content content_of(const Side& side, const Section& section) {
   }
   std::sort(content.shared.begin(), content.shared.end());
   return content;
+}
+
+/// Where P is farther than λ from L there must be nothing but a bay that chance alone leaves (rule `voids`).
+bool near_or_by_chance(const Engine& e, const Side& side, const Section& section) {
+  const double lambda = e.parameters.resolution;
+  double area = 0;  // of bays
+  std::size_t points = 0;
+  const auto add = [&](const Station& a, const Station& b) {
+    if (a.offset <= -lambda || b.offset <= -lambda) return false;  // it goes on beyond the line
+    if (a.offset < lambda && b.offset < lambda) return true;
+    area += (b.place - a.place) * (a.offset + b.offset) / 2;
+    ++points;
+    return true;
+  };
+  Station last = section.begin;
+  for (std::size_t i = section.first_edge + 1; i <= section.last_edge; ++i) {
+    if (!add(last, side.station(i))) return false;
+    last = side.station(i);
+  }
+  if (!add(last, section.end)) return false;
+  if (points == 0) return true;
+  const auto m = side.segment->moments.count();
+  const double density = static_cast<double>(m) / side.perimeter().area();
+  return m > 0 && empty_by_chance(area / (e.step * e.step), points, m, density, e.gap);
 }
 
 /// The change of one perimeter: `section` gives way to the edge `id` between the chart points l1 and l2.
@@ -175,6 +199,7 @@ class PairFormer {
     if (!p || !q) return false;
     const Content on_p = content_of(p_, *p), on_q = content_of(q_, *q);
     if (on_p.open < least || on_q.open < least || !correspond(on_p.shared, on_q.shared)) return false;
+    if (!near_or_by_chance(e_, p_, *p) || !near_or_by_chance(e_, q_, *q)) return false;
     return commit(*p, *q);
   }
 
@@ -239,7 +264,7 @@ void match_places(Engine& e, const Segment& a, const Segment& b, const CommonLin
 
 /// Forms one pair of shared edges, if one can be.
 bool share_once(Engine& e, Segment& a, Segment& b, const CommonLine& line, const LineWindow& window) {
-  const double reach = e.parameters.resolution;
+  const double reach = e.section_reach * e.parameters.resolution;
   const auto chains_a = line_chains(e, a, b, line, window, reach);
   if (chains_a.empty()) return false;
   auto chains_b = line_chains(e, b, a, line, window, reach);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMaxMergeRounds = 50;
 constexpr int kMaxFinishRounds = 20;
+constexpr double kChanceReach = 3;        ///< λ
 constexpr std::int64_t kSmall = 5;  ///< point segments below this may expire
 
 /// The reading on the model's grid, or nothing when it is no point.
@@ -129,6 +130,16 @@ void mark_all(Engine& e) {
   }
 }
 
+void until_nothing_changes(Engine& e) {
+  for (int round = 0; round < kMaxFinishRounds; ++round) {
+    const bool any = mergers_and_fissures(e) || drop_all_chance_holes(e) || shared_edges_and_corners(e);
+    clear_flags(e);
+    e.stage_clock.lap(&StageTimes::rest);
+    if (!any) break;
+    mark_changed(e);
+  }
+}
+
 }  // namespace
 
 void update_set(Engine& e, std::span<const SensorPoint> set) {
@@ -159,12 +170,13 @@ void finish(Engine& e) {
   e.refused_pairs.clear();
   e.finishing = true;
   e.stage_clock.lap(&StageTimes::rest);
-  for (int round = 0; round < kMaxFinishRounds; ++round) {
-    const bool any = mergers_and_fissures(e) || drop_all_chance_holes(e) || shared_edges_and_corners(e);
-    clear_flags(e);
-    e.stage_clock.lap(&StageTimes::rest);
-    if (!any) break;
-    mark_changed(e);
+  until_nothing_changes(e);
+  if (e.rules().voids && e.parameters.neighbours) {
+    // What is still open may be so by chance: sections are looked for farther from their lines.
+    e.section_reach = kChanceReach;
+    mark_all(e);
+    until_nothing_changes(e);
+    e.section_reach = 1;
   }
   e.finishing = false;
 }

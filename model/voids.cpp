@@ -19,22 +19,21 @@ double area_with(const geometry::Polygon& perimeter, const std::vector<geometry:
   return area;
 }
 
-/// Would chance alone leave a hole of this area between k of m points, where `density` of them are expected?
-/// It is empty with probability exp(−n). It could lie at any point, and its perimeter go from each point to
-/// any of those within the gap ahead, c in half a disc: m·cᵏ shapes.
-/// By chance, then, when the product of both is above 10⁻³.
-bool by_chance(double area, std::size_t k, std::int64_t m, double density, double gap) {
-  const double choices = std::max(1.5707963 * density * gap * gap, 2.0);
-  return density * area <
-         natural_log(1000.0 * static_cast<double>(m)) + static_cast<double>(k) * natural_log(choices);
-}
-
 bool any_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle& cycle) {
   const auto vertices = polygon.vertices(cycle);
   return std::any_of(vertices.begin(), vertices.end(), [](const auto& v) { return v.shared; });
 }
 
 }  // namespace
+
+/// It is empty with probability exp(−n) when n points are expected there. It could lie at any point, and its
+/// perimeter go from each point to any of those within the gap ahead, c in half a disc: m·cᵏ shapes. By chance,
+/// then, when the product of both is above 10⁻³.
+bool empty_by_chance(double area, std::size_t k, std::int64_t m, double density, double gap) {
+  const double choices = std::max(1.5707963 * density * gap * gap, 2.0);
+  return density * area <
+         natural_log(1000.0 * static_cast<double>(m)) + static_cast<double>(k) * natural_log(choices);
+}
 
 bool drop_chance_holes(Engine& e, Segment& s) {
   geometry::Polygon& perimeter = s.polygon->perimeter;
@@ -53,7 +52,7 @@ bool drop_chance_holes(Engine& e, Segment& s) {
     const double density = static_cast<double>(m) / area_with(perimeter, small);
     std::erase_if(small, [&](geometry::CycleId id) {
       const auto& cycle = perimeter.cycle(id);
-      return !by_chance(-geometry::signed_area(perimeter, cycle), cycle.size, m, density, e.gap);
+      return !empty_by_chance(-geometry::signed_area(perimeter, cycle), cycle.size, m, density, e.gap);
     });
   }
   edit.removed_cycles = small;
