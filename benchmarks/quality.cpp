@@ -29,6 +29,7 @@
 #include <limpet/simulation/scan.hpp>
 #include <limpet/simulation/scene.hpp>
 #include <limpet/simulation/shapes.hpp>
+#include <limpet/simulation/topology.hpp>
 
 #include "scan_case.hpp"
 
@@ -65,6 +66,9 @@ struct Run {
   double outliers_kept_out = 1;      ///< of all
   double far_outliers_kept_out = 1;  ///< of those more than 3σ from the surface: no readings of it
   std::size_t points = 0, violations = 0, polygons = 0;
+  bool closed = false, isomorphic = false;
+  int true_shared = 0, shared = 0, false_shared = 0;
+  double vertex_distance = 0;  ///< λ
   std::string faults;
 };
 
@@ -173,6 +177,12 @@ Run run(const Arguments& args, const Case& c, int seed) {
   }
   r.overshoot = report.max_overshoot / c.resolution;
   r.shortfall = report.max_shortfall / c.resolution;
+  const auto topology = simulation::judge_topology(record, scene.mesh, report);
+  r.closed = topology.closed, r.isomorphic = topology.isomorphic;
+  r.true_shared = topology.true_shared, r.shared = topology.shared, r.false_shared = topology.false_shared;
+  r.vertex_distance = topology.vertex_distance / c.resolution;
+  if (!r.isomorphic)
+    for (const auto& fault : topology.faults) r.faults += fault + "; ";
   const auto labels = model.labels();
   std::map<std::uint64_t, bool> is_polygon;
   for (const auto& p : record.polygon_segments) is_polygon[p.id] = true;
@@ -202,7 +212,7 @@ void report_case(const Case& c, const std::vector<Run>& runs) {
     return;
   }
   Run worst;
-  int right = 0, counted = 0, represented = 0, extra = 0, bad_angles = 0;
+  int right = 0, counted = 0, represented = 0, extra = 0, bad_angles = 0, closed = 0, isomorphic = 0;
   double seconds = 0, points = 0;
   for (const Run& r : runs) {
     right += r.right, counted += r.counted, represented += r.represented, extra += r.extra,
@@ -211,16 +221,21 @@ void report_case(const Case& c, const std::vector<Run>& runs) {
     worst.worst_angle_deg = std::max(worst.worst_angle_deg, r.worst_angle_deg);
     worst.overshoot = std::max(worst.overshoot, r.overshoot);
     worst.shortfall = std::max(worst.shortfall, r.shortfall);
+    closed += r.closed, isomorphic += r.isomorphic;
+    worst.true_shared += r.true_shared, worst.shared += r.shared, worst.false_shared += r.false_shared;
+    worst.vertex_distance = std::max(worst.vertex_distance, r.vertex_distance);
     worst.loose = std::max(worst.loose, r.loose);
     worst.outliers_kept_out = std::min(worst.outliers_kept_out, r.outliers_kept_out);
     worst.far_outliers_kept_out = std::min(worst.far_outliers_kept_out, r.far_outliers_kept_out);
     worst.violations += r.violations;
   }
   std::printf(
-      "%-10s %8ld noise %.3f %-8s outliers %.2f  right %d/%zu  faces %d/%d extra %d  angle %.2f° (bad %d)  "
+      "%-10s %8ld noise %.3f %-8s outliers %.2f  right %d/%zu  closed %d same topology %d "
+      "(vertices within %.2fλ; shared %d of %d, false %d)  faces %d/%d extra %d  angle %.2f° (bad %d)  "
       "outside %.2fλ inside %.2fλ  loose %.2f%%  kept out %.1f%% (of far ones %.1f%%)  violations %zu  %.2f "
       "µs/point\n",
-      c.shape.c_str(), c.points, c.noise_ratio, c.order.c_str(), c.outliers, right, runs.size(), represented,
+      c.shape.c_str(), c.points, c.noise_ratio, c.order.c_str(), c.outliers, right, runs.size(), closed, isomorphic,
+      worst.vertex_distance, worst.shared, worst.true_shared, worst.false_shared, represented,
       counted, extra, worst.worst_angle_deg, bad_angles, worst.overshoot, worst.shortfall, 100 * worst.loose,
       100 * worst.outliers_kept_out, 100 * worst.far_outliers_kept_out, worst.violations,
       1e6 * seconds / points);
@@ -255,9 +270,10 @@ int main(int argc, char** argv) {
     csv.open(args.csv);
     csv << "shape,points,noise,order,outliers,seed,right,counted,represented,extra,wrong_holes,angle_deg,bad_"
            "angles,"
-           "overshoot,shortfall,loose,kept_out,far_kept_out,violations,seconds,faults\n";
+           "overshoot,shortfall,loose,kept_out,far_kept_out,closed,isomorphic,vertex_distance,violations,seconds,"
+           "faults\n";
   }
-  int all = 0, right = 0;
+  int all = 0, right = 0, same = 0;
   for (const auto& shape : args.shapes) {
     for (const auto points : args.points)
       for (const double noise : args.noise)
@@ -269,18 +285,19 @@ int main(int argc, char** argv) {
                  ++seed) {
               runs.push_back(run(args, c, seed));
               const Run& r = runs.back();
-              ++all, right += r.right;
-              if (!r.right || r.violations) std::printf("  seed %d: %s\n", seed, r.faults.c_str());
+              ++all, right += r.right, same += r.isomorphic;
+              if (!r.right || !r.isomorphic || r.violations) std::printf("  seed %d: %s\n", seed, r.faults.c_str());
               csv << shape << ',' << points << ',' << noise << ',' << order << ',' << outliers << ',' << seed
                   << ',' << r.right << ',' << r.counted << ',' << r.represented << ',' << r.extra << ','
                   << r.wrong_holes << ',' << r.worst_angle_deg << ',' << r.bad_angles << ',' << r.overshoot
                   << ',' << r.shortfall << ',' << r.loose << ',' << r.outliers_kept_out << ','
-                  << r.far_outliers_kept_out << ',' << r.violations << ',' << r.seconds << ",\"" << r.faults
+                  << r.far_outliers_kept_out << ',' << r.closed << ',' << r.isomorphic << ','
+                  << r.vertex_distance << ',' << r.violations << ',' << r.seconds << ",\"" << r.faults
                   << "\"\n";
             }
             report_case(c, runs);
           }
   }
-  std::printf("right %d of %d\n", right, all);
+  std::printf("right %d of %d, same topology %d\n", right, all, same);
   return 0;
 }

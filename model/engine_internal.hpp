@@ -133,6 +133,7 @@ struct Engine {
   bool repositioning = false;  ///< the ends of copies may be apart for the moment
   bool finishing = false;
   double section_reach = 1;  ///< λ: how far a section that gives way to a shared edge may be from it
+  double least_shared = 2;   ///< λ: no shorter edge makes two segments neighbours
 
   std::vector<std::uint32_t> found;  ///< scratch of queries
   StageClock stage_clock;

@@ -153,7 +153,13 @@ geometry::Edit edit_for(const Side& side, const Section& section, Point2 l1, Poi
 class PairFormer {
  public:
   PairFormer(Engine& e, Segment& a, Segment& b, const CommonLine& line, double sign)
-      : e_(e), a_(a), b_(b), line_(line), sign_(sign) {}
+      : e_(e), a_(a), b_(b), line_(line), sign_(sign) {
+    // At the apex of a pyramid opposite faces come within λ of their common line, too, for about as long.
+    const bool neighbours = std::any_of(a.polygon->shared.begin(), a.polygon->shared.end(), [&](EdgeId edge) {
+      return across(e, edge).segment == b.slot;
+    });
+    least_length_ = neighbours ? kLeastSteps * e.step : e.least_shared * e.parameters.resolution;
+  }
 
   /// Forms one pair from two chains, the longest that can be; whether there was one.
   bool form(const LineChain& p, const LineChain& q) {
@@ -162,7 +168,7 @@ class PairFormer {
     const auto [low_p, high_p] = range(rising_p);
     const auto [low_q, high_q] = range(rising_q);
     const double low = std::max(low_p, low_q), high = std::min(high_p, high_q);
-    if (high - low < kLeastSteps * e_.step) return false;
+    if (high - low < least_length_) return false;
     places_ = {low, high};
     for (const LineChain* chain : {&rising_p, &rising_q})
       for (const Station& s : chain->stations)
@@ -194,7 +200,7 @@ class PairFormer {
 
   bool form_section(double begin, double end) {
     const double least = kLeastSteps * e_.step;
-    if (end - begin < least) return false;
+    if (end - begin < least_length_) return false;
     const auto p = section_of(p_, begin, end), q = section_of(q_, begin, end);
     if (!p || !q) return false;
     const Content on_p = content_of(p_, *p), on_q = content_of(q_, *q);
@@ -243,7 +249,8 @@ class PairFormer {
   Engine& e_;
   Segment &a_, &b_;
   const CommonLine& line_;
-  double sign_;  ///< of the direction of L along the line
+  double sign_;           ///< of the direction of L along the line
+  double least_length_;  ///< of L, scan's unit
   Side p_, q_;
   std::vector<double> places_;
 };

@@ -11,6 +11,7 @@ namespace {
 constexpr int kMaxMergeRounds = 50;
 constexpr int kMaxFinishRounds = 20;
 constexpr double kChanceReach = 3;        ///< λ
+constexpr double kLeastAtLast = 0.25;     ///< λ
 constexpr std::int64_t kSmall = 5;  ///< point segments below this may expire
 
 /// The reading on the model's grid, or nothing when it is no point.
@@ -140,6 +141,20 @@ void until_nothing_changes(Engine& e) {
   }
 }
 
+/// What is still open may be so by chance: sections are looked for farther from their lines. Then short edges
+/// may make neighbours, too, where long ones have not met in a corner.
+void close_what_is_open(Engine& e) {
+  const double least = e.least_shared;
+  for (const bool short_edges : {false, true}) {
+    e.section_reach = e.rules().voids ? kChanceReach : 1;
+    if (short_edges) e.least_shared = kLeastAtLast;
+    mark_all(e);
+    until_nothing_changes(e);
+  }
+  e.section_reach = 1;
+  e.least_shared = least;
+}
+
 }  // namespace
 
 void update_set(Engine& e, std::span<const SensorPoint> set) {
@@ -171,13 +186,7 @@ void finish(Engine& e) {
   e.finishing = true;
   e.stage_clock.lap(&StageTimes::rest);
   until_nothing_changes(e);
-  if (e.rules().voids && e.parameters.neighbours) {
-    // What is still open may be so by chance: sections are looked for farther from their lines.
-    e.section_reach = kChanceReach;
-    mark_all(e);
-    until_nothing_changes(e);
-    e.section_reach = 1;
-  }
+  if (e.parameters.neighbours) close_what_is_open(e);
   e.finishing = false;
 }
 
