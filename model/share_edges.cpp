@@ -18,6 +18,7 @@ using geometry::Point2;
 using geometry::Slot;
 
 constexpr int kMaxPairsFormed = 64;  ///< by one look at two segments
+constexpr double kSameSteps = 3;     ///< grid steps: nearer than this a cut is at the vertex itself
 constexpr double kLeastSteps = 16;   ///< grid steps: no shorter edge is formed, nor for less of an open one
 
 /// One side of a pair to be: a chain turned so that places rise along it, and the perimeter it is on.
@@ -51,10 +52,15 @@ LineChain turned(LineChain chain, bool reverse, double sign) {
   return chain;
 }
 
+/// The point at this place between two stations, or the one of them that it is hardly beside.
 Station between(const Station& a, const Station& b, double place) {
   const double fraction = (place - a.place) / (b.place - a.place);
-  return {place, a.offset + fraction * (b.offset - a.offset),
-          geometry::round_to_grid(a.at + fraction * (b.at - a.at)), geometry::kNoSlot};
+  Station s{place, a.offset + fraction * (b.offset - a.offset),
+            geometry::round_to_grid(a.at + fraction * (b.at - a.at)), geometry::kNoSlot};
+  for (const Station* end : {&a, &b})
+    if (geometry::squared_length(s.at - end->at) <= kSameSteps * kSameSteps)
+      s.at = end->at, s.vertex = end->vertex, s.offset = end->offset;
+  return s;
 }
 
 /// The part of the chain that leads from place `begin` to place `end` and projects into L; nothing if there
@@ -161,10 +167,14 @@ class PairFormer {
     least_length_ = neighbours ? kLeastSteps * e.step : e.least_shared * e.parameters.resolution;
   }
 
-  /// Forms one pair from two chains, the longest that can be; whether there was one.
-  bool form(const LineChain& p, const LineChain& q) {
-    const LineChain rising_p = turned(p, false, sign_), rising_q = turned(q, true, sign_);
+  /// Forms one pair from chain p of the first segment's and chain q of the second's, the longest that can be;
+  /// whether there was one.
+  bool form(const std::vector<LineChain>& all_p, std::size_t p, const std::vector<LineChain>& all_q,
+            std::size_t q) {
+    const LineChain rising_p = turned(all_p[p], false, sign_), rising_q = turned(all_q[q], true, sign_);
     p_ = {&a_, &rising_p, false}, q_ = {&b_, &rising_q, true};
+    beyond_ = beyond_line(all_p, p, sign_);
+    for (const LineWindow& w : beyond_line(all_q, q, -sign_)) beyond_.push_back(w);
     const auto [low_p, high_p] = range(rising_p);
     const auto [low_q, high_q] = range(rising_q);
     const double low = std::max(low_p, low_q), high = std::min(high_p, high_q);
@@ -186,6 +196,27 @@ class PairFormer {
     return {low->place, high->place};
   }
 
+  /// Where, in places that rise along L, other chains lie beyond it: there the segment goes on, and what looks
+  /// like a border on L is the far side of a hole. `inside`: the sign of offsets inside the segment.
+  std::vector<LineWindow> beyond_line(const std::vector<LineChain>& chains, std::size_t but, double inside) const {
+    std::vector<LineWindow> result;
+    for (std::size_t c = 0; c < chains.size(); ++c)
+      for (std::size_t i = 0; c != but && i + 1 < chains[c].stations.size(); ++i) {
+        const Station &u = chains[c].stations[i], &v = chains[c].stations[i + 1];
+        if (inside * u.offset > 0 && inside * v.offset > 0) continue;
+        const double p = sign_ * u.place, q = sign_ * v.place;
+        result.push_back({std::min(p, q), std::max(p, q)});
+      }
+    return result;
+  }
+
+  bool goes_on_beyond(double begin, double end) const {
+    const double least = kLeastSteps * e_.step;
+    return std::any_of(beyond_.begin(), beyond_.end(), [&](const LineWindow& w) {
+      return std::min(w.end, end) - std::max(w.begin, begin) > least;
+    });
+  }
+
   /// Tries sections from near the one place to near the other, longest first; where none will do, those in
   /// each half.
   bool form_between(std::size_t low, std::size_t high) {
@@ -200,7 +231,7 @@ class PairFormer {
 
   bool form_section(double begin, double end) {
     const double least = kLeastSteps * e_.step;
-    if (end - begin < least_length_) return false;
+    if (end - begin < least_length_ || goes_on_beyond(begin, end)) return false;
     const auto p = section_of(p_, begin, end), q = section_of(q_, begin, end);
     if (!p || !q) return false;
     const Content on_p = content_of(p_, *p), on_q = content_of(q_, *q);
@@ -253,6 +284,7 @@ class PairFormer {
   double least_length_;  ///< of L, scan's unit
   Side p_, q_;
   std::vector<double> places_;
+  std::vector<LineWindow> beyond_;
 };
 
 /// By identity: the ends of a corresponding pair are at one place, that of a's copy.
@@ -280,9 +312,9 @@ bool share_once(Engine& e, Segment& a, Segment& b, const CommonLine& line, const
   if (concavity == Concavity::undecided) return false;
   match_places(e, a, b, line, chains_b);
   PairFormer former(e, a, b, line, concavity == Concavity::convex ? 1 : -1);
-  for (const LineChain& p : chains_a)
-    for (const LineChain& q : chains_b)
-      if (former.form(p, q)) return true;
+  for (std::size_t p = 0; p < chains_a.size(); ++p)
+    for (std::size_t q = 0; q < chains_b.size(); ++q)
+      if (former.form(chains_a, p, chains_b, q)) return true;
   return false;
 }
 
