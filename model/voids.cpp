@@ -19,9 +19,10 @@ double area_with(const geometry::Polygon& perimeter, const std::vector<geometry:
   return area;
 }
 
-bool any_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle& cycle) {
+/// Such a hole is the footprint of something, however small.
+bool all_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle& cycle) {
   const auto vertices = polygon.vertices(cycle);
-  return std::any_of(vertices.begin(), vertices.end(), [](const auto& v) { return v.shared; });
+  return std::all_of(vertices.begin(), vertices.end(), [](const auto& v) { return v.shared; });
 }
 
 }  // namespace
@@ -41,7 +42,7 @@ bool drop_chance_holes(Engine& e, Segment& s) {
   std::vector<geometry::CycleId> small;
   for (std::uint32_t i = 0; i < perimeter.cycles().size(); ++i) {
     const auto& cycle = perimeter.cycles()[i];
-    if (cycle.size > 0 && cycle.hole && !any_shared(perimeter, cycle)) small.push_back(geometry::CycleId{i});
+    if (cycle.size > 0 && cycle.hole && !all_shared(perimeter, cycle)) small.push_back(geometry::CycleId{i});
   }
   const auto m = s.moments.count();
   geometry::Edit edit;
@@ -58,7 +59,7 @@ bool drop_chance_holes(Engine& e, Segment& s) {
   edit.removed_cycles = small;
   if (edit.removed_cycles.empty() || perimeter.change(edit, e.edge_ids) != geometry::Verdict::valid)
     return false;
-  e.changes.push_back({Change::Kind::edges_removed, {}, {}, s.id, perimeter.take_removed()});
+  e.changes.push_back({Change::Kind::edges_removed, {}, {}, s.id, boundary_changed(e, s).removed});
   description_changed(e, s, s.polygon->box);
   return true;
 }
