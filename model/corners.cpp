@@ -87,6 +87,18 @@ std::vector<RingPart> ring_from(Engine& e, Segment& s, Slot first) {
   return ring.size() >= 3 ? ring : std::vector<RingPart>{};
 }
 
+/// When finishing, a bay at the corner that chance alone leaves may be deeper than λ (rule `voids`).
+bool bay_by_chance(const Engine& e, const RingPart& part) {
+  const Segment& s = *part.segment;
+  const geometry::Polygon& perimeter = s.polygon->perimeter;
+  double twice_area = 0;  // of what lies between P and the corner, on the right of P
+  for (std::size_t i = 0; i + 1 < part.between.size(); ++i)
+    twice_area -= cross(perimeter.at(part.between[i]) - part.corner, perimeter.at(part.between[i + 1]) - part.corner);
+  const auto m = s.moments.count();
+  return m > 0 && empty_by_chance(twice_area / 2, part.between.size(), m, static_cast<double>(m) / perimeter.area(),
+                                  e.gap);
+}
+
 /// The conditions on one segment's lines, distances and directions; sets the corner.
 bool corner_fits(Engine& e, RingPart& part) {
   const PolygonPart& polygon = *part.segment->polygon;
@@ -94,11 +106,11 @@ bool corner_fits(Engine& e, RingPart& part) {
   const auto beyond = e.at(across(e, node_of(part, part.after).edge).segment).polygon->plane();
   const auto corner = common_point(part.line_before, beyond);
   if (!corner) return false;
-  bool reached = false;
+  part.corner = geometry::round_to_grid(polygon.chart.project(*corner));
+  bool reached = false, far = false;
   for (const Slot s : part.between) {
     const Eigen::Vector3d p = polygon.position(s);
-    if (squared_distance(part.line_before, p) >= lambda2 && squared_distance(part.line_after, p) >= lambda2)
-      return false;
+    far |= squared_distance(part.line_before, p) >= lambda2 && squared_distance(part.line_after, p) >= lambda2;
     reached |= (p - *corner).squaredNorm() < lambda2;
   }
   for (std::size_t i = 0; i + 1 < part.between.size() && !reached; ++i) {  // points on edges count as well
@@ -106,8 +118,7 @@ bool corner_fits(Engine& e, RingPart& part) {
     const double t = std::clamp(d.dot(*corner - p) / std::max(d.dot(d), 1e-300), 0.0, 1.0);
     reached = (p + t * d - *corner).squaredNorm() < lambda2;
   }
-  if (!reached) return false;
-  part.corner = geometry::round_to_grid(polygon.chart.project(*corner));
+  if (!reached || (far && !(e.section_reach > 1 && bay_by_chance(e, part)))) return false;
   // The directions along e₁ and e₂ stay.
   const Point2 u = polygon.perimeter.at(part.before), w = polygon.perimeter.end(part.after);
   const Point2 d1 = polygon.perimeter.end(part.before) - u, d2 = w - polygon.perimeter.at(part.after);

@@ -106,28 +106,32 @@ Content content_of(const Side& side, const Section& section) {
   return content;
 }
 
-/// Where P is farther than λ from L there must be nothing but a bay that chance alone leaves (rule `voids`).
+/// Where P is farther than λ from L there must be nothing but bays that chance alone leaves (rule `voids`).
 bool near_or_by_chance(const Engine& e, const Side& side, const Section& section) {
   const double lambda = e.parameters.resolution;
-  double area = 0;  // of bays
-  std::size_t points = 0;
-  const auto add = [&](const Station& a, const Station& b) {
-    if (a.offset <= -lambda || b.offset <= -lambda) return false;  // it goes on beyond the line
-    if (a.offset < lambda && b.offset < lambda) return true;
-    area += (b.place - a.place) * (a.offset + b.offset) / 2;
-    ++points;
-    return true;
-  };
-  Station last = section.begin;
-  for (std::size_t i = section.first_edge + 1; i <= section.last_edge; ++i) {
-    if (!add(last, side.station(i))) return false;
-    last = side.station(i);
-  }
-  if (!add(last, section.end)) return false;
-  if (points == 0) return true;
   const auto m = side.segment->moments.count();
   const double density = static_cast<double>(m) / side.perimeter().area();
-  return m > 0 && empty_by_chance(area / (e.step * e.step), points, m, density, e.gap);
+  double area = 0;  // of the bay that P is in
+  std::size_t points = 0;
+  bool far = false;
+  const auto bay_ends = [&] {
+    const bool chance =
+        !far || (m > 0 && empty_by_chance(area / (e.step * e.step), points, m, density, e.gap));
+    area = 0, points = 0, far = false;
+    return chance;
+  };
+  Station last = section.begin;
+  const auto go_on_to = [&](const Station& next) {
+    if (next.offset <= -lambda) return false;  // the segment goes on beyond the line
+    area += (next.place - last.place) * (last.offset + next.offset) / 2;
+    ++points;
+    far |= next.offset >= lambda;
+    last = next;
+    return next.offset >= lambda / 4 || bay_ends();
+  };
+  for (std::size_t i = section.first_edge + 1; i <= section.last_edge; ++i)
+    if (!go_on_to(side.station(i))) return false;
+  return section.begin.offset > -lambda && go_on_to(section.end) && bay_ends();
 }
 
 /// The change of one perimeter: `section` gives way to the edge `id` between the chart points l1 and l2.
@@ -156,10 +160,24 @@ geometry::Edit edit_for(const Side& side, const Section& section, Point2 l1, Poi
   return edit;
 }
 
+/// What came of a look at two segments.
+enum class Formed {
+  none,
+  in_place,  ///< of shared edges there were: their order is what it was
+  anew
+};
+
+/// Forms pairs from chains of two segments along their line.
 class PairFormer {
  public:
-  PairFormer(Engine& e, Segment& a, Segment& b, const CommonLine& line, double sign)
+  /// `sign`: of the direction of L along the line.
+  PairFormer(Engine& e, Segment& a, Segment& b, const CommonLine& line, double sign,
+             const std::vector<LineChain>& chains_a, const std::vector<LineChain>& chains_b)
       : e_(e), a_(a), b_(b), line_(line), sign_(sign) {
+    for (const LineChain& chain : chains_a) chains_p_.push_back(turned(chain, false, sign));
+    for (const LineChain& chain : chains_b) chains_q_.push_back(turned(chain, true, sign));
+    beyond_p_ = beyond_line(chains_p_);
+    beyond_q_ = beyond_line(chains_q_);
     // At the apex of a pyramid opposite faces come within λ of their common line, too, for about as long.
     const bool neighbours = std::any_of(a.polygon->shared.begin(), a.polygon->shared.end(), [&](EdgeId edge) {
       return across(e, edge).segment == b.slot;
@@ -167,20 +185,29 @@ class PairFormer {
     least_length_ = neighbours ? kLeastSteps * e.step : e.least_shared * e.parameters.resolution;
   }
 
-  /// Forms one pair from chain p of the first segment's and chain q of the second's, the longest that can be;
-  /// whether there was one.
-  bool form(const std::vector<LineChain>& all_p, std::size_t p, const std::vector<LineChain>& all_q,
-            std::size_t q) {
-    const LineChain rising_p = turned(all_p[p], false, sign_), rising_q = turned(all_q[q], true, sign_);
-    p_ = {&a_, &rising_p, false}, q_ = {&b_, &rising_q, true};
-    beyond_ = beyond_line(all_p, p, sign_);
-    for (const LineWindow& w : beyond_line(all_q, q, -sign_)) beyond_.push_back(w);
-    const auto [low_p, high_p] = range(rising_p);
-    const auto [low_q, high_q] = range(rising_q);
+  /// Forms the longest pair that can be formed from any two of the chains.
+  Formed form_one() {
+    for (p_at_ = 0; p_at_ < chains_p_.size(); ++p_at_)
+      for (q_at_ = 0; q_at_ < chains_q_.size(); ++q_at_)
+        if (form(chains_p_[p_at_], chains_q_[q_at_])) return formed_;
+    return Formed::none;
+  }
+
+ private:
+  /// A stretch of a chain that lies beyond the line.
+  struct Beyond {
+    double begin, end;
+    std::size_t chain;
+  };
+
+  bool form(const LineChain& p, const LineChain& q) {
+    p_ = {&a_, &p, false}, q_ = {&b_, &q, true};
+    const auto [low_p, high_p] = range(p);
+    const auto [low_q, high_q] = range(q);
     const double low = std::max(low_p, low_q), high = std::min(high_p, high_q);
     if (high - low < least_length_) return false;
     places_ = {low, high};
-    for (const LineChain* chain : {&rising_p, &rising_q})
+    for (const LineChain* chain : {&p, &q})
       for (const Station& s : chain->stations)
         if (s.place > low && s.place < high) places_.push_back(s.place);
     std::sort(places_.begin(), places_.end());
@@ -188,7 +215,6 @@ class PairFormer {
     return form_between(0, places_.size() - 1);
   }
 
- private:
   static std::pair<double, double> range(const LineChain& chain) {
     const auto [low, high] =
         std::minmax_element(chain.stations.begin(), chain.stations.end(),
@@ -196,25 +222,27 @@ class PairFormer {
     return {low->place, high->place};
   }
 
-  /// Where, in places that rise along L, other chains lie beyond it: there the segment goes on, and what looks
-  /// like a border on L is the far side of a hole. `inside`: the sign of offsets inside the segment.
-  std::vector<LineWindow> beyond_line(const std::vector<LineChain>& chains, std::size_t but, double inside) const {
-    std::vector<LineWindow> result;
+  static std::vector<Beyond> beyond_line(const std::vector<LineChain>& chains) {
+    std::vector<Beyond> result;
     for (std::size_t c = 0; c < chains.size(); ++c)
-      for (std::size_t i = 0; c != but && i + 1 < chains[c].stations.size(); ++i) {
+      for (std::size_t i = 0; i + 1 < chains[c].stations.size(); ++i) {
         const Station &u = chains[c].stations[i], &v = chains[c].stations[i + 1];
-        if (inside * u.offset > 0 && inside * v.offset > 0) continue;
-        const double p = sign_ * u.place, q = sign_ * v.place;
-        result.push_back({std::min(p, q), std::max(p, q)});
+        if (u.offset > 0 && v.offset > 0) continue;
+        result.push_back({std::min(u.place, v.place), std::max(u.place, v.place), c});
       }
     return result;
   }
 
+  /// Does another chain lie beyond the line there? Then the segment goes on, and what looks like a border on L
+  /// is the far side of a hole.
   bool goes_on_beyond(double begin, double end) const {
     const double least = kLeastSteps * e_.step;
-    return std::any_of(beyond_.begin(), beyond_.end(), [&](const LineWindow& w) {
-      return std::min(w.end, end) - std::max(w.begin, begin) > least;
-    });
+    const auto meets = [&](const std::vector<Beyond>& beyond, std::size_t own) {
+      return std::any_of(beyond.begin(), beyond.end(), [&](const Beyond& w) {
+        return w.chain != own && std::min(w.end, end) - std::max(w.begin, begin) > least;
+      });
+    };
+    return meets(beyond_p_, p_at_) || meets(beyond_q_, q_at_);
   }
 
   /// Tries sections from near the one place to near the other, longest first; where none will do, those in
@@ -235,8 +263,11 @@ class PairFormer {
     const auto p = section_of(p_, begin, end), q = section_of(q_, begin, end);
     if (!p || !q) return false;
     const Content on_p = content_of(p_, *p), on_q = content_of(q_, *q);
-    if (on_p.open < least || on_q.open < least || !correspond(on_p.shared, on_q.shared)) return false;
+    // Part of an open edge on both, or shared edges that become one.
+    const bool gains = (on_p.open >= least && on_q.open >= least) || on_p.shared.size() >= 2;
+    if (!gains || !correspond(on_p.shared, on_q.shared)) return false;
     if (!near_or_by_chance(e_, p_, *p) || !near_or_by_chance(e_, q_, *q)) return false;
+    formed_ = on_p.shared.empty() ? Formed::anew : Formed::in_place;
     return commit(*p, *q);
   }
 
@@ -280,11 +311,14 @@ class PairFormer {
   Engine& e_;
   Segment &a_, &b_;
   const CommonLine& line_;
-  double sign_;           ///< of the direction of L along the line
+  double sign_;
   double least_length_;  ///< of L, scan's unit
+  std::vector<LineChain> chains_p_, chains_q_;
+  std::vector<Beyond> beyond_p_, beyond_q_;
+  std::size_t p_at_ = 0, q_at_ = 0;  ///< the chains in hand
   Side p_, q_;
   std::vector<double> places_;
-  std::vector<LineWindow> beyond_;
+  Formed formed_ = Formed::none;
 };
 
 /// By identity: the ends of a corresponding pair are at one place, that of a's copy.
@@ -302,32 +336,43 @@ void match_places(Engine& e, const Segment& a, const Segment& b, const CommonLin
 }
 
 /// Forms one pair of shared edges, if one can be.
-bool share_once(Engine& e, Segment& a, Segment& b, const CommonLine& line, const LineWindow& window) {
+Formed share_once(Engine& e, Segment& a, Segment& b, const CommonLine& line, const LineWindow& window) {
   const double reach = e.section_reach * e.parameters.resolution;
   const auto chains_a = line_chains(e, a, b, line, window, reach);
-  if (chains_a.empty()) return false;
+  if (chains_a.empty()) return Formed::none;
   auto chains_b = line_chains(e, b, a, line, window, reach);
-  if (chains_b.empty()) return false;
+  if (chains_b.empty()) return Formed::none;
   const Concavity concavity = concavity_of(e, a, b, line, chains_a, chains_b);
-  if (concavity == Concavity::undecided) return false;
+  if (concavity == Concavity::undecided) return Formed::none;
   match_places(e, a, b, line, chains_b);
-  PairFormer former(e, a, b, line, concavity == Concavity::convex ? 1 : -1);
-  for (std::size_t p = 0; p < chains_a.size(); ++p)
-    for (std::size_t q = 0; q < chains_b.size(); ++q)
-      if (former.form(chains_a, p, chains_b, q)) return true;
-  return false;
+  return PairFormer(e, a, b, line, concavity == Concavity::convex ? 1 : -1, chains_a, chains_b).form_one();
 }
 
 bool may_share(const Engine& e, const Segment& s) { return s.polygon && (e.finishing || !s.young()); }
 
-/// Does the line come near where s has changed?
-bool passes(const Engine& e, const CommonLine& line, const Places& places) {
-  return std::any_of(places.boxes().begin(), places.boxes().end(), [&](const Box3& box) {
+/// The pieces of a window where the line comes near places where s has changed, and some way on.
+std::vector<LineWindow> changed_windows(const Engine& e, const CommonLine& line, const LineWindow& window,
+                                        const Places& places) {
+  constexpr double kOn = 6;  // λ: so far sections may reach beyond what has changed, at a time
+  const double lambda = e.parameters.resolution;
+  std::vector<LineWindow> result;
+  for (const Box3& box : places.boxes()) {
     const Eigen::Vector3d d = box.center() - line.origin;
-    const double reach = box.diagonal().norm() / 2 + 2 * e.parameters.resolution;
-    const double t = line.along.dot(d);
-    return d.dot(d) - t * t < reach * reach;
-  });
+    const double radius = box.diagonal().norm() / 2, reach = radius + 2 * lambda, at = line.along.dot(d);
+    if (d.dot(d) - at * at >= reach * reach) continue;
+    const LineWindow piece{std::max(window.begin, at - radius - kOn * lambda),
+                           std::min(window.end, at + radius + kOn * lambda)};
+    if (piece.begin < piece.end) result.push_back(piece);
+  }
+  std::sort(result.begin(), result.end(),
+            [](const LineWindow& p, const LineWindow& q) { return p.begin < q.begin; });
+  std::vector<LineWindow> joined;
+  for (const LineWindow& piece : result)
+    if (joined.empty() || joined.back().end < piece.begin)
+      joined.push_back(piece);
+    else
+      joined.back().end = std::max(joined.back().end, piece.end);
+  return joined;
 }
 
 bool share_pair(Engine& e, Segment& a, Segment& b, const Places& places) {
@@ -336,15 +381,23 @@ bool share_pair(Engine& e, Segment& a, Segment& b, const Places& places) {
   const Box3 both(a.polygon->box.min().cwiseMax(b.polygon->box.min()),
                   a.polygon->box.max().cwiseMin(b.polygon->box.max()));
   const auto line = common_line(pa, pb, (both.min() + both.max()) / 2);
-  if (!line || !passes(e, *line, places)) return false;
+  if (!line) return false;
   const auto window = window_of(e, *line, *a.polygon, *b.polygon);
   if (!window) return false;
-  int formed = 0;
-  while (formed < kMaxPairsFormed && share_once(e, a, b, *line, *window)) ++formed;
-  if (formed == 0) return false;
-  dissolve_disordered(e, a);
-  dissolve_disordered(e, b);
-  return true;
+  int count = 0;
+  bool anew = false;
+  for (const LineWindow& piece : changed_windows(e, *line, *window, places))
+    while (count < kMaxPairsFormed) {
+      const Formed formed = share_once(e, a, b, *line, piece);
+      if (formed == Formed::none) break;
+      anew |= formed == Formed::anew;
+      ++count;
+    }
+  if (anew) {
+    dissolve_disordered(e, a);
+    dissolve_disordered(e, b);
+  }
+  return count > 0;
 }
 
 }  // namespace

@@ -77,7 +77,9 @@ Alignment align(const SideLoop& truth, const SideLoop& model) {
     bool same = true;
     for (std::size_t i = 0; i < n && same; ++i) {
       same = truth.beyond[i] == model.beyond[(i + k) % n];
-      distance = std::max(distance, (truth.begins[i] - model.begins[(i + k) % n]).norm());
+      // Where an open side ends there is no corner that planes would meet in.
+      if (truth.beyond[i] != -1 && truth.beyond[(i + n - 1) % n] != -1)
+        distance = std::max(distance, (truth.begins[i] - model.begins[(i + k) % n]).norm());
     }
     if (same && (!best.found || distance < best.distance)) best = {true, distance};
   }

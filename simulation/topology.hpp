@@ -30,7 +30,7 @@ struct TopologyReport {
   int true_shared = 0;      ///< sides between two true faces, each counted once
   int shared = 0;           ///< of these, those whose two polygons share an edge
   int false_shared = 0;     ///< pairs of polygons that share an edge where the truth's faces have no side
-  double vertex_distance = 0;         ///< the largest from a vertex to the true one; of the faces counted above
+  double vertex_distance = 0;  ///< the largest from a vertex between shared sides to the true one; of `faces`
   std::vector<std::string> faults{};  ///< one line each
 };
 
