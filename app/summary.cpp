@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdio>
 #include <limpet/app/progress.hpp>
+#include <limpet/io/lifted.hpp>
 #include <limpet/io/native.hpp>
+#include <limpet/io/welded.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -32,6 +34,9 @@ Summary summarise(const model::ModelRecord& model) {
     }
   }
   s.shared_edges = shared / 2;
+  const auto welds = io::weld(io::lift(model), model.resolution);
+  s.corner_vertices = welds.corners;
+  s.corner_distance = welds.corner_distance;
   return s;
 }
 
@@ -48,6 +53,7 @@ std::string to_json(const Summary& s) {
   json["shared_edges"] = s.shared_edges;
   json["open_edges"] = s.open_edges;
   json["corner_vertices"] = s.corner_vertices;
+  json["corner_distance"] = s.corner_distance;
   json["closed"] = s.closed();
   json["seconds"] = s.seconds;
   json["points_per_second"] = s.seconds > 0 ? static_cast<double>(s.points) / s.seconds : 0.0;
@@ -70,7 +76,8 @@ std::string to_text(const Summary& s) {
   text << grouped(s.points) << " points in " << grouped(s.sets) << " sets: " << grouped(s.polygons)
        << (s.polygons == 1 ? " polygon" : " polygons");
   if (s.holes > 0) text << " with " << grouped(s.holes) << (s.holes == 1 ? " hole" : " holes");
-  text << ", " << grouped(s.shared_edges) << " shared edges, " << grouped(s.open_edges) << " open edges\n";
+  text << ", " << grouped(s.shared_edges) << " shared edges, " << grouped(s.corner_vertices) << " corners, ";
+  text << (s.closed() ? "closed" : grouped(s.open_edges) + " open edges") << "\n";
   if (s.loose + s.refused + s.expired > 0) {
     text << "in no polygon: " << grouped(s.loose) << " points loose, " << grouped(s.expired)
          << " given up as outliers; " << grouped(s.refused) << " records were no point\n";

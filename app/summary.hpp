@@ -22,6 +22,7 @@ struct Summary {
   std::int64_t shared_edges = 0;  ///< corresponding pairs
   std::int64_t open_edges = 0;
   std::int64_t corner_vertices = 0;
+  double corner_distance = 0;   ///< largest from a corner to a plane that should hold it, scan's unit
   std::int64_t violations = 0;  ///< the oracle's count
   double seconds = 0;           ///< reading and modelling; neither the oracle nor writing
   double resolution = 0, tolerance = 0;

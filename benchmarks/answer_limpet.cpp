@@ -25,12 +25,8 @@ double read_through(const std::string& path, Take take) {
 }
 
 Json stages_of(const model::StageTimes& t) {
-  return {{"insertion", t.insertion},
-          {"dissolving", t.dissolving},
-          {"mergers", t.mergers},
-          {"fissures", t.fissures},
-          {"sharing", t.sharing},
-          {"rest", t.rest}};
+  return {{"insertion", t.insertion}, {"dissolving", t.dissolving}, {"mergers", t.mergers},
+          {"fissures", t.fissures},   {"sharing", t.sharing},       {"rest", t.rest}};
 }
 
 void judge(const ScanCase& scan_case, const std::string& path, const model::ModelRecord& record,

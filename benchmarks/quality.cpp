@@ -234,8 +234,8 @@ void report_case(const Case& c, const std::vector<Run>& runs) {
       "(vertices within %.2fλ; shared %d of %d, false %d)  faces %d/%d extra %d  angle %.2f° (bad %d)  "
       "outside %.2fλ inside %.2fλ  loose %.2f%%  kept out %.1f%% (of far ones %.1f%%)  violations %zu  %.2f "
       "µs/point\n",
-      c.shape.c_str(), c.points, c.noise_ratio, c.order.c_str(), c.outliers, right, runs.size(), closed, isomorphic,
-      worst.vertex_distance, worst.shared, worst.true_shared, worst.false_shared, represented,
+      c.shape.c_str(), c.points, c.noise_ratio, c.order.c_str(), c.outliers, right, runs.size(), closed,
+      isomorphic, worst.vertex_distance, worst.shared, worst.true_shared, worst.false_shared, represented,
       counted, extra, worst.worst_angle_deg, bad_angles, worst.overshoot, worst.shortfall, 100 * worst.loose,
       100 * worst.outliers_kept_out, 100 * worst.far_outliers_kept_out, worst.violations,
       1e6 * seconds / points);
@@ -270,7 +270,8 @@ int main(int argc, char** argv) {
     csv.open(args.csv);
     csv << "shape,points,noise,order,outliers,seed,right,counted,represented,extra,wrong_holes,angle_deg,bad_"
            "angles,"
-           "overshoot,shortfall,loose,kept_out,far_kept_out,closed,isomorphic,vertex_distance,violations,seconds,"
+           "overshoot,shortfall,loose,kept_out,far_kept_out,closed,isomorphic,vertex_distance,violations,"
+           "seconds,"
            "faults\n";
   }
   int all = 0, right = 0, same = 0;
@@ -286,7 +287,8 @@ int main(int argc, char** argv) {
               runs.push_back(run(args, c, seed));
               const Run& r = runs.back();
               ++all, right += r.right, same += r.isomorphic;
-              if (!r.right || !r.isomorphic || r.violations) std::printf("  seed %d: %s\n", seed, r.faults.c_str());
+              if (!r.right || !r.isomorphic || r.violations)
+                std::printf("  seed %d: %s\n", seed, r.faults.c_str());
               csv << shape << ',' << points << ',' << noise << ',' << order << ',' << outliers << ',' << seed
                   << ',' << r.right << ',' << r.counted << ',' << r.represented << ',' << r.extra << ','
                   << r.wrong_holes << ',' << r.worst_angle_deg << ',' << r.bad_angles << ',' << r.overshoot

@@ -19,10 +19,8 @@ struct PolygonMesh {
   std::vector<MeshFace> faces;
 };
 
-/// The faces of a model over common vertices. Vertices are one where the ends of corresponding shared edges
-/// meet: by identity, not by nearness (a pair further apart than `reach`, which no sound model has, stays
-/// two). Polygons with holes are triangulated, and with `triangles_only` all others too; polygons whose
-/// perimeter has fewer than three vertices are left out.
+/// The faces of a model over the vertices that weld() gives. Polygons with holes are triangulated, and with
+/// `triangles_only` all others too; polygons whose perimeter has fewer than three vertices are left out.
 PolygonMesh make_mesh(const std::vector<LiftedPolygon>& polygons, double reach, bool triangles_only);
 
 }  // namespace limpet::io

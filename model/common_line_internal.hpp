@@ -9,8 +9,9 @@
 
 namespace limpet::model::internal {
 
-/// The copies of a shared edge's end, each rounded in its own chart, may be this many grid steps / sin θ apart
-/// (the oracle allows 4), θ the angle between the planes; the vertices may be so many off the other plane.
+/// The copies of a shared edge's end, each rounded in its own chart, may be this many grid steps / sin θ
+/// apart (the oracle allows 4), θ the angle between the planes; the vertices may be so many off the other
+/// plane.
 inline constexpr double kEndSteps = 3.5, kLineSteps = 1.6;
 /// Below this sine of the angle between them two planes have no line to share edges on.
 inline constexpr double kLeastSine = 0.02;
@@ -32,7 +33,8 @@ struct CommonLine {
   Eigen::Vector3d at(double place) const { return origin + place * along; }
 };
 
-/// Nothing when the planes are parallel, or as good as that. The origin is the line's point nearest to `near`.
+/// Nothing when the planes are parallel, or as good as that. The origin is the line's point nearest to
+/// `near`.
 inline std::optional<CommonLine> common_line(const geometry::Plane& a, const geometry::Plane& b,
                                              const Eigen::Vector3d& near) {
   CommonLine line;

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Step 5 of the update: forming corner vertices (thesis §2.7) around a ring of segments S₀…Sₙ, n ≥ 2, each the
-// neighbour of the next: on all of them or on none.
+// Step 5 of the update: forming corner vertices (thesis §2.7) around a ring of segments S₀…Sₙ, n ≥ 2, each
+// the neighbour of the next: on all of them or on none.
 #include <algorithm>
 #include <cmath>
 
@@ -17,9 +17,9 @@ using geometry::EdgeId;
 using geometry::Point2;
 using geometry::Slot;
 
-constexpr std::size_t kMaxRing = 64;   ///< segments around one corner
-constexpr int kMaxOpenEdges = 64;      ///< between two shared edges that may meet in a corner
-constexpr double kLeastSteps = 16;     ///< grid steps: a corner leaves no shared edge shorter
+constexpr std::size_t kMaxRing = 64;  ///< segments around one corner
+constexpr int kMaxOpenEdges = 64;     ///< between two shared edges that may meet in a corner
+constexpr double kLeastSteps = 16;    ///< grid steps: a corner leaves no shared edge shorter
 
 /// What one segment of the ring gives up for its corner vertex: the stretch P between two shared edges that
 /// follow each other.
@@ -66,8 +66,8 @@ std::optional<RingPart> part_after(Engine& e, Segment& s, Slot first) {
   return part;
 }
 
-/// The ring of §2.7, starting with e₁ of s: f₁ is e₂'s copy on the next segment, and so on back to e₁. Nothing
-/// if it does not close over distinct segments.
+/// The ring of §2.7, starting with e₁ of s: f₁ is e₂'s copy on the next segment, and so on back to e₁.
+/// Nothing if it does not close over distinct segments.
 std::vector<RingPart> ring_from(Engine& e, Segment& s, Slot first) {
   std::vector<RingPart> ring;
   const EdgeId start = s.polygon->perimeter.node(first).edge;
@@ -93,10 +93,11 @@ bool bay_by_chance(const Engine& e, const RingPart& part) {
   const geometry::Polygon& perimeter = s.polygon->perimeter;
   double twice_area = 0;  // of what lies between P and the corner, on the right of P
   for (std::size_t i = 0; i + 1 < part.between.size(); ++i)
-    twice_area -= cross(perimeter.at(part.between[i]) - part.corner, perimeter.at(part.between[i + 1]) - part.corner);
+    twice_area -=
+        cross(perimeter.at(part.between[i]) - part.corner, perimeter.at(part.between[i + 1]) - part.corner);
   const auto m = s.moments.count();
-  return m > 0 && empty_by_chance(twice_area / 2, part.between.size(), m, static_cast<double>(m) / perimeter.area(),
-                                  e.gap);
+  return m > 0 && empty_by_chance(twice_area / 2, part.between.size(), m,
+                                  static_cast<double>(m) / perimeter.area(), e.gap);
 }
 
 /// The conditions on one segment's lines, distances and directions; sets the corner.
@@ -110,11 +111,13 @@ bool corner_fits(Engine& e, RingPart& part) {
   bool reached = false, far = false;
   for (const Slot s : part.between) {
     const Eigen::Vector3d p = polygon.position(s);
-    far |= squared_distance(part.line_before, p) >= lambda2 && squared_distance(part.line_after, p) >= lambda2;
+    far |=
+        squared_distance(part.line_before, p) >= lambda2 && squared_distance(part.line_after, p) >= lambda2;
     reached |= (p - *corner).squaredNorm() < lambda2;
   }
   for (std::size_t i = 0; i + 1 < part.between.size() && !reached; ++i) {  // points on edges count as well
-    const Eigen::Vector3d p = polygon.position(part.between[i]), d = polygon.position(part.between[i + 1]) - p;
+    const Eigen::Vector3d p = polygon.position(part.between[i]),
+                          d = polygon.position(part.between[i + 1]) - p;
     const double t = std::clamp(d.dot(*corner - p) / std::max(d.dot(d), 1e-300), 0.0, 1.0);
     reached = (p + t * d - *corner).squaredNorm() < lambda2;
   }

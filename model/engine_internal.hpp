@@ -54,8 +54,8 @@ struct PolygonPart {
   double counted_area = 0;  ///< what of its area is in Engine::modelled_area, λ²
   std::uint64_t shape = 0;  ///< counts changes of the description
   std::vector<std::pair<geometry::Slot, geometry::EdgeId>> fresh;  ///< edges not yet looked at for fissures
-  std::vector<geometry::EdgeId> shared;  ///< its edges that are shared with neighbours, ascending
-  Places unshared;           ///< where the description has changed since step 4 last saw it
+  std::vector<geometry::EdgeId> shared;       ///< its edges that are shared with neighbours, ascending
+  Places unshared;                            ///< where the description has changed since step 4 last saw it
   std::vector<geometry::EdgeId> corners_due;  ///< shared edges that step 5 has not seen yet
 
   /// A vertex in the world.
@@ -130,7 +130,7 @@ struct Engine {
   std::unordered_map<std::uint64_t, std::uint64_t> label_goes_to;  ///< merged segments
 
   std::unordered_map<std::uint64_t, SharedEdge> shared;  ///< by the edge's identity
-  bool repositioning = false;  ///< the ends of copies may be apart for the moment
+  bool repositioning = false;                            ///< the ends of copies may be apart for the moment
   bool finishing = false;
   double section_reach = 1;  ///< λ: how far a section that gives way to a shared edge may be from it
   double least_shared = 2;   ///< λ: no shorter edge makes two segments neighbours
@@ -298,8 +298,8 @@ void dissolve_neighbours(Engine&, Segment&, Segment&);
 void dissolve_all_neighbours(Engine&, Segment&);
 /// Unshares what §2.8 leaves with copies that do not meet: pairs of s and those of its neighbours.
 void unshare_where_ends_part(Engine&, Segment& s);
-/// The perimeter has been made anew, its edges with their identities: shared edges that did not come along are
-/// unshared.
+/// The perimeter has been made anew, its edges with their identities: shared edges that did not come along
+/// are unshared.
 void perimeter_made_anew(Engine&, Segment&);
 
 // ordering.cpp: local and global ordering (§2.2)

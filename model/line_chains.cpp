@@ -172,8 +172,8 @@ Concavity concavity_of(Engine& e, const Segment& a, const Segment& b, const Comm
   for (const geometry::EdgeId edge : a.polygon->shared) {
     if (across(e, edge).segment != b.slot) continue;
     const Slot s = e.shared.at(edge.value).slot;
-    const bool forward =
-        line.place_of(a.polygon->position(s)) < line.place_of(a.polygon->position(a.polygon->perimeter.next(s)));
+    const bool forward = line.place_of(a.polygon->position(s)) <
+                         line.place_of(a.polygon->position(a.polygon->perimeter.next(s)));
     return forward ? Concavity::convex : Concavity::concave;
   }
   // The two registers of §2.6.1: overlaps of edges that run opposite to each other.

@@ -29,10 +29,11 @@ struct LineWindow {
 };
 
 /// The stretch of the line on which both polygons can be near it; nothing if there is none.
-std::optional<LineWindow> window_of(const Engine&, const CommonLine&, const PolygonPart& a, const PolygonPart& b);
+std::optional<LineWindow> window_of(const Engine&, const CommonLine&, const PolygonPart& a,
+                                    const PolygonPart& b);
 
-/// All chains of `a` along its line with `b` that come into the window, in its perimeter's direction. `reach`,
-/// scan's unit, is how far they may be from the line.
+/// All chains of `a` along its line with `b` that come into the window, in its perimeter's direction.
+/// `reach`, scan's unit, is how far they may be from the line.
 std::vector<LineChain> line_chains(Engine&, const Segment& a, const Segment& b, const CommonLine&,
                                    const LineWindow&, double reach);
 

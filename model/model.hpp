@@ -24,7 +24,7 @@ struct Parameters {
   double input_quantum = 0;     ///< the scan's own rounding; ≥ 0
   double tolerance = 0;         ///< how far from its plane a surface may be; 0: 3 standard deviations
   std::int64_t outlier_patience = 1'000'000;  ///< sensor points after which a small point segment expires
-  bool neighbours = true;  ///< form shared edges and corner vertices (thesis §2.6, §2.7)
+  bool neighbours = true;                     ///< form shared edges and corner vertices (thesis §2.6, §2.7)
   Rules rules;
 };
 

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Who shares which edge with whom (thesis §2.2), and unsharing (§2.8). The registry knows both copies of every
-// shared edge by identity; coordinates decide nothing here but whether two ends still coincide.
+// Who shares which edge with whom (thesis §2.2), and unsharing (§2.8). The registry knows both copies of
+// every shared edge by identity; coordinates decide nothing here but whether two ends still coincide.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -33,7 +33,8 @@ void forget(Engine& e, EdgeId edge) {
   e.shared.erase(entry);
   PolygonPart& part = *s.polygon;
   erase_sorted(part.shared, edge);
-  if (slot == geometry::kNoSlot || !part.perimeter.alive(slot) || part.perimeter.node(slot).edge != edge) return;
+  if (slot == geometry::kNoSlot || !part.perimeter.alive(slot) || part.perimeter.node(slot).edge != edge)
+    return;
   part.perimeter.set_shared(slot, false);
   Box3 where(part.position(slot));
   description_changed(e, s, where.extend(part.position(part.perimeter.next(slot))));
@@ -49,7 +50,8 @@ bool is_corner(Engine& e, const Segment& s, Slot vertex) {
 /// The ends of the pairs that meet a vertex, which is no corner any more, or one on one side only.
 bool ends_meet(Engine& e, EdgeId edge) {
   const SharedEdge &mine = e.shared.at(edge.value), &other = across(e, edge);
-  if (mine.slot == geometry::kNoSlot || other.slot == geometry::kNoSlot) return true;  // about to be put there
+  if (mine.slot == geometry::kNoSlot || other.slot == geometry::kNoSlot)
+    return true;  // about to be put there
   const Segment &a = e.at(mine.segment), &b = e.at(other.segment);
   const double sine = sine_between(a.polygon->plane(), b.polygon->plane());
   const double reach = kEndSteps * e.step / sine;
@@ -99,7 +101,8 @@ BoundaryChange boundary_changed(Engine& e, Segment& s) {
   BoundaryChange change{part.perimeter.take_removed(), part.perimeter.take_created()};
   for (const auto& [slot, edge] : change.created) {
     part.fresh.emplace_back(slot, edge);
-    if (!part.perimeter.alive(slot) || part.perimeter.node(slot).edge != edge || !part.perimeter.node(slot).shared)
+    if (!part.perimeter.alive(slot) || part.perimeter.node(slot).edge != edge ||
+        !part.perimeter.node(slot).shared)
       continue;
     SharedEdge& entry = e.shared.at(edge.value);
     if (entry.segment != s.slot) erase_sorted(e.at(entry.segment).polygon->shared, edge);

@@ -84,7 +84,8 @@ void require_partners(const Engine& e) {
     const auto partner = e.shared.find(entry.partner.value);
     if (partner == e.shared.end() || partner->second.partner.value != edge ||
         partner->second.segment == entry.segment)
-      throw std::invalid_argument("shared edge " + std::to_string(edge) + " has no partner on another segment");
+      throw std::invalid_argument("shared edge " + std::to_string(edge) +
+                                  " has no partner on another segment");
   }
 }
 

@@ -1,8 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Repositioning shared edges (thesis §2.4.4) as one transaction over a segment and its neighbours: all vertices
-// are worked out, every perimeter judges its change, and either all are made or an edge is unshared and all is
-// worked out anew. With none left there is nothing to move, so it ends.
+// Repositioning shared edges (thesis §2.4.4) as one transaction over a segment and its neighbours: all
+// vertices are worked out, every perimeter judges its change, and either all are made or an edge is unshared
+// and all is worked out anew. With none left there is nothing to move, so it ends.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -73,7 +73,8 @@ class Repositioning {
   }
 
   /// Where the vertex of `a` goes that ends edge `edge`; `other`: the edge on its other side.
-  bool place(const Segment& a, Slot vertex, EdgeId edge, EdgeId other, bool corner, const Eigen::Vector3d& from) {
+  bool place(const Segment& a, Slot vertex, EdgeId edge, EdgeId other, bool corner,
+             const Eigen::Vector3d& from) {
     const auto line = line_of(a, edge, from);
     if (!line) return false;
     Eigen::Vector3d to = line->at(line->place_of(from));
@@ -166,7 +167,8 @@ class Repositioning {
         continue;
       }
       const Slot from = perimeter.prev(first);
-      edit.chains.push_back({from, std::move(via), s, perimeter.node(from).edge, perimeter.node(from).shared});
+      edit.chains.push_back(
+          {from, std::move(via), s, perimeter.node(from).edge, perimeter.node(from).shared});
     }
     return edit;
   }

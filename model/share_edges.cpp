@@ -38,7 +38,7 @@ struct Side {
 /// P, or Q: what lies between two places on a chain.
 struct Section {
   Station begin, end;
-  std::size_t first_edge = 0, last_edge = 0;        ///< `begin` is on the first of these, `end` on the last
+  std::size_t first_edge = 0, last_edge = 0;          ///< `begin` is on the first of these, `end` on the last
   bool begin_anchored = false, end_anchored = false;  ///< a shared edge of the two begins, ends there
 };
 
@@ -145,8 +145,8 @@ geometry::Edit edit_for(const Side& side, const Section& section, Point2 l1, Poi
   if (r) std::swap(l1, l2);
   const bool first_cut = first.vertex == geometry::kNoSlot, last_cut = last.vertex == geometry::kNoSlot;
 
-  geometry::Chain chain{first_cut ? first_edge : first.vertex, {},
-                        last_cut ? side.perimeter().next(last_edge) : last.vertex};
+  geometry::Chain chain{
+      first_cut ? first_edge : first.vertex, {}, last_cut ? side.perimeter().next(last_edge) : last.vertex};
   if (first_cut && first.at != l1) chain.via.push_back({first.at});
   if (!first_cut && (first_anchored || first.at == l1)) {
     chain.edge = id, chain.shared = true;
@@ -179,9 +179,8 @@ class PairFormer {
     beyond_p_ = beyond_line(chains_p_);
     beyond_q_ = beyond_line(chains_q_);
     // At the apex of a pyramid opposite faces come within λ of their common line, too, for about as long.
-    const bool neighbours = std::any_of(a.polygon->shared.begin(), a.polygon->shared.end(), [&](EdgeId edge) {
-      return across(e, edge).segment == b.slot;
-    });
+    const bool neighbours = std::any_of(a.polygon->shared.begin(), a.polygon->shared.end(),
+                                        [&](EdgeId edge) { return across(e, edge).segment == b.slot; });
     least_length_ = neighbours ? kLeastSteps * e.step : e.least_shared * e.parameters.resolution;
   }
 
@@ -233,8 +232,8 @@ class PairFormer {
     return result;
   }
 
-  /// Does another chain lie beyond the line there? Then the segment goes on, and what looks like a border on L
-  /// is the far side of a hole.
+  /// Does another chain lie beyond the line there? Then the segment goes on, and what looks like a border on
+  /// L is the far side of a hole.
   bool goes_on_beyond(double begin, double end) const {
     const double least = kLeastSteps * e_.step;
     const auto meets = [&](const std::vector<Beyond>& beyond, std::size_t own) {
@@ -251,7 +250,8 @@ class PairFormer {
     constexpr std::size_t kEnds = 4;
     for (std::size_t less = 0; less < 2 * kEnds - 1; ++less)
       for (std::size_t i = less < kEnds ? 0 : less - kEnds + 1; i <= std::min(less, kEnds - 1); ++i)
-        if (low + i + (less - i) < high && form_section(places_[low + i], places_[high - (less - i)])) return true;
+        if (low + i + (less - i) < high && form_section(places_[low + i], places_[high - (less - i)]))
+          return true;
     if (high - low < 2) return false;
     const std::size_t middle = low + (high - low) / 2;
     return form_between(low, middle) || form_between(middle, high);
@@ -295,7 +295,8 @@ class PairFormer {
     a_.polygon->perimeter.commit(edit_p, e_.edge_ids);
     b_.polygon->perimeter.commit(edit_q, e_.edge_ids);
     pair_edges(e_, a_, id_p, b_, id_q);
-    const std::array changes = {std::pair{&a_, boundary_changed(e_, a_)}, std::pair{&b_, boundary_changed(e_, b_)}};
+    const std::array changes = {std::pair{&a_, boundary_changed(e_, a_)},
+                                std::pair{&b_, boundary_changed(e_, b_)}};
     for (const auto& [s, change] : changes) {
       const Places where = places_of(*s->polygon, change.created);
       for (const Box3& place : where.boxes()) s->polygon->box.extend(place);

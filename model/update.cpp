@@ -10,9 +10,9 @@ namespace {
 
 constexpr int kMaxMergeRounds = 50;
 constexpr int kMaxFinishRounds = 20;
-constexpr double kChanceReach = 3;        ///< λ
-constexpr double kLeastAtLast = 0.25;     ///< λ
-constexpr std::int64_t kSmall = 5;  ///< point segments below this may expire
+constexpr double kChanceReach = 3;     ///< λ
+constexpr double kLeastAtLast = 0.25;  ///< λ
+constexpr std::int64_t kSmall = 5;     ///< point segments below this may expire
 
 /// The reading on the model's grid, or nothing when it is no point.
 std::optional<RawPoint> on_grid(const Engine& e, const SensorPoint& reading) {
@@ -111,8 +111,9 @@ bool drop_all_chance_holes(Engine& e) {
 /// Marks what the last round left changed.
 void mark_changed(Engine& e) {
   for (const auto& s : e.segments)
-    if (s && s->polygon && !(s->polygon->changed.empty() && s->polygon->fresh.empty() &&
-                             s->polygon->unshared.empty() && s->polygon->corners_due.empty()))
+    if (s && s->polygon &&
+        !(s->polygon->changed.empty() && s->polygon->fresh.empty() && s->polygon->unshared.empty() &&
+          s->polygon->corners_due.empty()))
       mark_modified(e, *s);
 }
 

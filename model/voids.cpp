@@ -28,8 +28,8 @@ bool all_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle
 }  // namespace
 
 /// It is empty with probability exp(−n) when n points are expected there. It could lie at any point, and its
-/// perimeter go from each point to any of those within the gap ahead, c in half a disc: m·cᵏ shapes. By chance,
-/// then, when the product of both is above 10⁻³.
+/// perimeter go from each point to any of those within the gap ahead, c in half a disc: m·cᵏ shapes. By
+/// chance, then, when the product of both is above 10⁻³.
 bool empty_by_chance(double area, std::size_t k, std::int64_t m, double density, double gap) {
   const double choices = std::max(1.5707963 * density * gap * gap, 2.0);
   return density * area <
