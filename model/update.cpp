@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMaxMergeRounds = 50;
 constexpr int kMaxFinishRounds = 20;
-constexpr double kChanceReach = 3;     ///< λ
+constexpr double kChanceReach = 5;     ///< λ
 constexpr double kLeastAtLast = 0.25;  ///< λ
 constexpr std::int64_t kSmall = 5;     ///< point segments below this may expire
 
