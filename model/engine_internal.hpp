@@ -130,6 +130,8 @@ struct Engine {
   std::unordered_map<std::uint64_t, std::uint64_t> label_goes_to;  ///< merged segments
 
   std::unordered_map<std::uint64_t, SharedEdge> shared;  ///< by the edge's identity
+  /// Of each pair of neighbours, by pair_key(), the copies on the one that is in the lower slot, ascending.
+  std::unordered_map<std::uint64_t, std::vector<geometry::EdgeId>> neighbour_edges;
   bool repositioning = false;                            ///< the ends of copies may be apart for the moment
   bool finishing = false;
   double section_reach = 1;  ///< λ: how far a section that gives way to a shared edge may be from it
@@ -277,8 +279,8 @@ void release_points(Engine&, Segment&, bool count_return);
 // neighbours.cpp: who shares what (§2.2, §2.8)
 /// The copy on the other side of a shared edge. Precondition: the edge is shared.
 SharedEdge& across(Engine&, geometry::EdgeId);
-/// Slots of the segments that share edges with s, ascending.
-std::vector<std::uint32_t> neighbours_of(const Engine&, const Segment& s);
+/// The edges that two segments share: the copies on the one in the lower slot. Empty if they are no neighbours.
+std::span<const geometry::EdgeId> edges_between(const Engine&, const Segment&, const Segment&);
 /// Edge a of one segment and edge b of the other are a corresponding pair from now on. Both are in their
 /// perimeters, or will be before boundary_changed() of their segments is called.
 void pair_edges(Engine&, Segment& of_a, geometry::EdgeId a, Segment& of_b, geometry::EdgeId b);
@@ -296,8 +298,8 @@ void unshare(Engine&, geometry::EdgeId);
 /// The two are no neighbours any more.
 void dissolve_neighbours(Engine&, Segment&, Segment&);
 void dissolve_all_neighbours(Engine&, Segment&);
-/// Unshares what §2.8 leaves with copies that do not meet: pairs of s and those of its neighbours.
-void unshare_where_ends_part(Engine&, Segment& s);
+/// Unshares, of these edges and those that adjoin their copies, what has been left with ends that do not meet.
+void unshare_where_ends_part(Engine&, std::span<const geometry::EdgeId> edges);
 /// The perimeter has been made anew, its edges with their identities: shared edges that did not come along
 /// are unshared.
 void perimeter_made_anew(Engine&, Segment&);
@@ -305,6 +307,9 @@ void perimeter_made_anew(Engine&, Segment&);
 // ordering.cpp: local and global ordering (§2.2)
 /// Dissolves what is disordered on the boundary cycles of s (§2.4.3, §2.6); whether anything was.
 bool dissolve_disordered(Engine&, Segment& s);
+/// Quick and sure, but not complete: does an edge just shared leave the orderings as they were, because it is
+/// the first of its two segments, or next to another one of theirs on both perimeters?
+bool order_stays(Engine&, geometry::EdgeId);
 
 // share_edges.cpp: §2.6 and step 4
 bool share_modified(Engine&);
@@ -313,9 +318,9 @@ bool share_modified(Engine&);
 bool form_corners_of_modified(Engine&);
 
 // reposition.cpp: §2.4.4
-/// Puts the shared edges of s, and their copies, onto the lines where the planes meet now. What cannot follow
+/// Puts these shared edges of s, and their copies, onto the lines where the planes meet now. What cannot follow
 /// is unshared.
-void reposition(Engine&, Segment& s);
+void reposition(Engine&, Segment& s, std::vector<geometry::EdgeId> edges);
 
 // fissures.cpp: §2.5 and step 3
 bool fill_modified(Engine&);

@@ -169,11 +169,11 @@ std::vector<LineChain> line_chains(Engine& e, const Segment& a, const Segment& b
 
 Concavity concavity_of(Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
                        const std::vector<LineChain>& chains_a, const std::vector<LineChain>& chains_b) {
-  for (const geometry::EdgeId edge : a.polygon->shared) {
-    if (across(e, edge).segment != b.slot) continue;
+  if (const auto shared = edges_between(e, a, b); !shared.empty()) {
+    const geometry::EdgeId edge = a.slot < b.slot ? shared.front() : e.shared.at(shared.front().value).partner;
     const Slot s = e.shared.at(edge.value).slot;
-    const bool forward = line.place_of(a.polygon->position(s)) <
-                         line.place_of(a.polygon->position(a.polygon->perimeter.next(s)));
+    const bool forward =
+        line.place_of(a.polygon->position(s)) < line.place_of(a.polygon->position(a.polygon->perimeter.next(s)));
     return forward ? Concavity::convex : Concavity::concave;
   }
   // The two registers of §2.6.1: overlaps of edges that run opposite to each other.

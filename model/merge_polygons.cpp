@@ -110,9 +110,11 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   if (merger == geometry::Merger::too_far || merger == geometry::Merger::refused)
     return remember_refusal(e, a, b), false;
 
-  const bool were_shared = !part.shared.empty() || !b.polygon->shared.empty();
-  e.repositioning = were_shared;  // edges that come from b are not on their lines yet
+  e.repositioning = !b.polygon->shared.empty();  // edges that come from b are not on their lines yet
   auto [removed, created] = boundary_changed(e, a);
+  std::vector<geometry::EdgeId> inherited;
+  for (const auto& [slot, edge] : created)
+    if (part.perimeter.alive(slot) && part.perimeter.node(slot).shared) inherited.push_back(edge);
   Places where = changed_places(a, b, created);
   for (const Box3& place : where.boxes()) part.box.extend(place);
   const auto lost = lost_edges(*other, created);
@@ -146,8 +148,9 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   if (!removed.empty()) e.changes.push_back({Change::Kind::edges_removed, {}, {}, a.id, std::move(removed)});
   refit(e, a);
   e.repositioning = false;
-  if (were_shared) {
-    reposition(e, a);
+  if (!inherited.empty()) {
+    reposition(e, a, inherited);
+    unshare_where_ends_part(e, std::vector(part.shared));  // of a's own some may have gone
     dissolve_disordered(e, a);
   }
   part.initial = a.fit.plane();

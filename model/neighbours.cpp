@@ -25,6 +25,23 @@ void erase_sorted(std::vector<EdgeId>& edges, EdgeId edge) {
   if (at != edges.end() && *at == edge) edges.erase(at);
 }
 
+std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
+  return (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
+}
+
+/// Takes a pair into the list of its two segments, or out of it.
+void list_pair(Engine& e, EdgeId edge) {
+  const SharedEdge &mine = e.shared.at(edge.value), &other = e.shared.at(mine.partner.value);
+  insert_sorted(e.neighbour_edges[pair_key(mine.segment, other.segment)],
+                mine.segment < other.segment ? edge : mine.partner);
+}
+void unlist_pair(Engine& e, EdgeId edge) {
+  const SharedEdge &mine = e.shared.at(edge.value), &other = e.shared.at(mine.partner.value);
+  const auto entry = e.neighbour_edges.find(pair_key(mine.segment, other.segment));
+  erase_sorted(entry->second, mine.segment < other.segment ? edge : mine.partner);
+  if (entry->second.empty()) e.neighbour_edges.erase(entry);
+}
+
 /// Takes one copy out of the books; the edge itself may be gone already.
 void forget(Engine& e, EdgeId edge) {
   const auto entry = e.shared.find(edge.value);
@@ -77,13 +94,9 @@ void adjoining(Engine& e, EdgeId edge, std::vector<EdgeId>& result) {
 
 SharedEdge& across(Engine& e, EdgeId edge) { return e.shared.at(e.shared.at(edge.value).partner.value); }
 
-std::vector<std::uint32_t> neighbours_of(const Engine& e, const Segment& s) {
-  std::vector<std::uint32_t> slots;
-  for (const EdgeId edge : s.polygon->shared)
-    slots.push_back(e.shared.at(e.shared.at(edge.value).partner.value).segment);
-  std::sort(slots.begin(), slots.end());
-  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
-  return slots;
+std::span<const EdgeId> edges_between(const Engine& e, const Segment& a, const Segment& b) {
+  const auto entry = e.neighbour_edges.find(pair_key(a.slot, b.slot));
+  return entry == e.neighbour_edges.end() ? std::span<const EdgeId>{} : std::span<const EdgeId>(entry->second);
 }
 
 void pair_edges(Engine& e, Segment& of_a, EdgeId a, Segment& of_b, EdgeId b) {
@@ -91,6 +104,7 @@ void pair_edges(Engine& e, Segment& of_a, EdgeId a, Segment& of_b, EdgeId b) {
   e.shared[b.value] = {of_b.slot, geometry::kNoSlot, a};
   insert_sorted(of_a.polygon->shared, a);
   insert_sorted(of_b.polygon->shared, b);
+  list_pair(e, a);
   of_a.polygon->corners_due.push_back(a);
   of_b.polygon->corners_due.push_back(b);
   for (Segment* s : {&of_a, &of_b}) mark_modified(e, *s);
@@ -105,8 +119,12 @@ BoundaryChange boundary_changed(Engine& e, Segment& s) {
         !part.perimeter.node(slot).shared)
       continue;
     SharedEdge& entry = e.shared.at(edge.value);
-    if (entry.segment != s.slot) erase_sorted(e.at(entry.segment).polygon->shared, edge);
-    entry.segment = s.slot, entry.slot = slot;
+    entry.slot = slot;
+    if (entry.segment == s.slot) continue;
+    erase_sorted(e.at(entry.segment).polygon->shared, edge);
+    unlist_pair(e, edge);
+    entry.segment = s.slot;
+    list_pair(e, edge);
     insert_sorted(part.shared, edge);
   }
   for (const EdgeId edge : change.removed)
@@ -130,6 +148,7 @@ void unshare(Engine& e, EdgeId edge) {
                          e.at(e.shared.at(partner.value).segment).id,
                          {},
                          {next, partner}});
+    unlist_pair(e, next);
     forget(e, next);
     forget(e, partner);
     for (const EdgeId b : beside)
@@ -138,22 +157,24 @@ void unshare(Engine& e, EdgeId edge) {
 }
 
 void dissolve_neighbours(Engine& e, Segment& a, Segment& b) {
-  const std::vector<EdgeId> edges = a.polygon->shared;
-  for (const EdgeId edge : edges)
-    if (e.shared.count(edge.value) && across(e, edge).segment == b.slot) unshare(e, edge);
+  const auto between = edges_between(e, a, b);
+  for (const EdgeId edge : std::vector<EdgeId>(between.begin(), between.end()))
+    if (e.shared.count(edge.value)) unshare(e, edge);
 }
 
 void dissolve_all_neighbours(Engine& e, Segment& s) {
   while (!s.polygon->shared.empty()) unshare(e, s.polygon->shared.front());
 }
 
-void unshare_where_ends_part(Engine& e, Segment& s) {
-  std::vector<EdgeId> edges = s.polygon->shared;
-  for (const std::uint32_t n : neighbours_of(e, s)) {
-    const auto& theirs = e.at(n).polygon->shared;
-    edges.insert(edges.end(), theirs.begin(), theirs.end());
+void unshare_where_ends_part(Engine& e, std::span<const EdgeId> edges) {
+  std::vector<EdgeId> all(edges.begin(), edges.end());
+  for (const EdgeId edge : edges) {
+    const auto entry = e.shared.find(edge.value);
+    if (entry == e.shared.end()) continue;
+    adjoining(e, edge, all);
+    adjoining(e, entry->second.partner, all);
   }
-  for (const EdgeId edge : edges)
+  for (const EdgeId edge : all)
     if (e.shared.count(edge.value) && !ends_meet(e, edge)) unshare(e, edge);
 }
 

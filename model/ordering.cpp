@@ -91,7 +91,30 @@ bool dissolve_first_disorder(Engine& e, Segment& s) {
   return false;
 }
 
+/// The next shared edge from `s` on, if it is not far.
+std::optional<EdgeId> shared_after(const geometry::Polygon& perimeter, Slot s, bool forward) {
+  constexpr int kFar = 256;
+  for (int i = 0; i < kFar; ++i) {
+    s = forward ? perimeter.next(s) : perimeter.prev(s);
+    if (perimeter.node(s).shared) return perimeter.node(s).edge;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+bool order_stays(Engine& e, EdgeId edge) {
+  const SharedEdge &mine = e.shared.at(edge.value), &other = across(e, edge);
+  const Segment &a = e.at(mine.segment), &b = e.at(other.segment);
+  if (edges_between(e, a, b).size() == 1) return true;
+  for (const bool forward : {true, false}) {
+    const auto beside = shared_after(a.polygon->perimeter, mine.slot, forward);
+    if (!beside || *beside == edge) continue;
+    const auto beside_other = shared_after(b.polygon->perimeter, other.slot, !forward);
+    if (beside_other && e.shared.at(beside->value).partner == *beside_other) return true;
+  }
+  return false;
+}
 
 bool dissolve_disordered(Engine& e, Segment& s) {
   bool any = false;

@@ -106,7 +106,7 @@ void publish(Engine& e, Segment& s) {
   }
   e.repositioning = !outermost;
   if (part.stale) return;
-  reposition(e, s);
+  reposition(e, s, part.shared);
   part.box = perimeter_box(part);
   description_changed(e, s, part.box);
   update_index(e, s);

@@ -24,11 +24,16 @@ constexpr int kMaxTries = 12;      ///< then all edges of the segment are unshar
 
 class Repositioning {
  public:
-  Repositioning(Engine& e, Segment& s) : e_(e), s_(s) {}
+  Repositioning(Engine& e, Segment& s, std::vector<EdgeId>& edges) : e_(e), s_(s), edges_(edges) {}
 
   void run() {
-    for (int tries = 0; !s_.polygon->shared.empty(); ++tries) {
-      if (tries == kMaxTries) return dissolve_all_neighbours(e_, s_);
+    for (int tries = 0;; ++tries) {
+      std::erase_if(edges_, [&](EdgeId edge) { return !e_.shared.count(edge.value); });
+      if (edges_.empty()) return;
+      if (tries == kMaxTries) {
+        for (const EdgeId edge : edges_) unshare(e_, edge);
+        return;
+      }
       const auto offender = work_out();
       if (!offender) return commit();
       unshare(e_, *offender);
@@ -39,10 +44,9 @@ class Repositioning {
   /// New places of all vertices that move, and the edits; or the edge that cannot follow.
   std::optional<EdgeId> work_out() {
     moves_.clear(), edits_.clear();
-    const std::vector<EdgeId> edges = s_.polygon->shared;
-    for (const EdgeId edge : edges)
+    for (const EdgeId edge : edges_)
       if (!place_ends(edge)) return edge;
-    for (const EdgeId edge : edges)
+    for (const EdgeId edge : edges_)
       if (!pair_holds(edge)) return edge;
     for (const auto& [segment, places] : moves_) {
       const geometry::Polygon& perimeter = e_.at(segment).polygon->perimeter;
@@ -54,10 +58,10 @@ class Repositioning {
     return std::nullopt;
   }
 
-  /// Of the edges shared with s that move on this perimeter, the one of lowest identity.
+  /// Of the edges that move on this perimeter, the one of lowest identity.
   EdgeId offender_on(std::uint32_t segment, const std::map<Slot, Point2>& places) {
     const geometry::Polygon& perimeter = e_.at(segment).polygon->perimeter;
-    for (const EdgeId edge : s_.polygon->shared) {
+    for (const EdgeId edge : edges_) {
       const SharedEdge &mine = e_.shared.at(edge.value), &other = across(e_, edge);
       const SharedEdge& here = segment == s_.slot ? mine : other;
       if (here.segment != segment) continue;
@@ -65,7 +69,7 @@ class Repositioning {
         if (const auto move = places.find(end); move != places.end() && move->second != perimeter.at(end))
           return edge;
     }
-    return s_.polygon->shared.front();
+    return edges_.front();
   }
 
   std::optional<CommonLine> line_of(const Segment& a, EdgeId edge, const Eigen::Vector3d& near) {
@@ -189,19 +193,22 @@ class Repositioning {
 
   Engine& e_;
   Segment& s_;
+  std::vector<EdgeId>& edges_;  ///< those still shared
   std::map<std::uint32_t, std::map<Slot, Point2>> moves_;
   std::vector<std::pair<std::uint32_t, geometry::Edit>> edits_;
 };
 
 }  // namespace
 
-void reposition(Engine& e, Segment& s) {
-  if (s.polygon->shared.empty()) return;
+void reposition(Engine& e, Segment& s, std::vector<EdgeId> edges) {
+  if (edges.empty()) return;
+  std::sort(edges.begin(), edges.end());
   const bool outermost = !std::exchange(e.repositioning, true);
-  Repositioning(e, s).run();
+  const std::vector<EdgeId> all = edges;
+  Repositioning(e, s, edges).run();
   if (!outermost) return;
   e.repositioning = false;
-  unshare_where_ends_part(e, s);
+  unshare_where_ends_part(e, all);
 }
 
 }  // namespace limpet::model::internal

@@ -163,8 +163,8 @@ geometry::Edit edit_for(const Side& side, const Section& section, Point2 l1, Poi
 /// What came of a look at two segments.
 enum class Formed {
   none,
-  in_place,  ///< of shared edges there were: their order is what it was
-  anew
+  in_order,    ///< where the orderings stay what they were
+  to_be_ordered
 };
 
 /// Forms pairs from chains of two segments along their line.
@@ -179,8 +179,7 @@ class PairFormer {
     beyond_p_ = beyond_line(chains_p_);
     beyond_q_ = beyond_line(chains_q_);
     // At the apex of a pyramid opposite faces come within λ of their common line, too, for about as long.
-    const bool neighbours = std::any_of(a.polygon->shared.begin(), a.polygon->shared.end(),
-                                        [&](EdgeId edge) { return across(e, edge).segment == b.slot; });
+    const bool neighbours = !edges_between(e, a, b).empty();
     least_length_ = neighbours ? kLeastSteps * e.step : e.least_shared * e.parameters.resolution;
   }
 
@@ -267,8 +266,9 @@ class PairFormer {
     const bool gains = (on_p.open >= least && on_q.open >= least) || on_p.shared.size() >= 2;
     if (!gains || !correspond(on_p.shared, on_q.shared)) return false;
     if (!near_or_by_chance(e_, p_, *p) || !near_or_by_chance(e_, q_, *q)) return false;
-    formed_ = on_p.shared.empty() ? Formed::anew : Formed::in_place;
-    return commit(*p, *q);
+    if (!commit(*p, *q)) return false;
+    formed_ = !on_p.shared.empty() || order_stays(e_, formed_edge_) ? Formed::in_order : Formed::to_be_ordered;
+    return true;
   }
 
   /// Are these the same pairs?
@@ -306,6 +306,7 @@ class PairFormer {
         e_.changes.push_back({Change::Kind::edges_removed, {}, {}, s->id, change.removed});
     }
     e_.changes.push_back({Change::Kind::shared, a_.id, b_.id, {}, {id_p, id_q}});
+    formed_edge_ = id_p;
     return true;
   }
 
@@ -320,6 +321,7 @@ class PairFormer {
   Side p_, q_;
   std::vector<double> places_;
   Formed formed_ = Formed::none;
+  EdgeId formed_edge_;
 };
 
 /// By identity: the ends of a corresponding pair are at one place, that of a's copy.
@@ -386,15 +388,15 @@ bool share_pair(Engine& e, Segment& a, Segment& b, const Places& places) {
   const auto window = window_of(e, *line, *a.polygon, *b.polygon);
   if (!window) return false;
   int count = 0;
-  bool anew = false;
+  bool disordered = false;
   for (const LineWindow& piece : changed_windows(e, *line, *window, places))
     while (count < kMaxPairsFormed) {
       const Formed formed = share_once(e, a, b, *line, piece);
       if (formed == Formed::none) break;
-      anew |= formed == Formed::anew;
+      disordered |= formed == Formed::to_be_ordered;
       ++count;
     }
-  if (anew) {
+  if (disordered) {
     dissolve_disordered(e, a);
     dissolve_disordered(e, b);
   }
