@@ -74,7 +74,8 @@ Sets joined(const Row& row, double reach) {
 }
 
 /// Nearest to all planes; along directions that they hardly decide, at the mean of the copies.
-Eigen::Vector3d corner_of(const std::vector<Eigen::Vector3d>& copies, const std::vector<Eigen::Vector3d>& normals) {
+Eigen::Vector3d corner_of(const std::vector<Eigen::Vector3d>& copies,
+                          const std::vector<Eigen::Vector3d>& normals) {
   constexpr double kDecides = 1e-4;  // of the largest eigenvalue
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& copy : copies) mean += copy / static_cast<double>(copies.size());

@@ -132,7 +132,7 @@ struct Engine {
   std::unordered_map<std::uint64_t, SharedEdge> shared;  ///< by the edge's identity
   /// Of each pair of neighbours, by pair_key(), the copies on the one that is in the lower slot, ascending.
   std::unordered_map<std::uint64_t, std::vector<geometry::EdgeId>> neighbour_edges;
-  bool repositioning = false;                            ///< the ends of copies may be apart for the moment
+  bool repositioning = false;  ///< the ends of copies may be apart for the moment
   bool finishing = false;
   double section_reach = 1;  ///< λ: how far a section that gives way to a shared edge may be from it
   double least_shared = 2;   ///< λ: no shorter edge makes two segments neighbours
@@ -279,7 +279,8 @@ void release_points(Engine&, Segment&, bool count_return);
 // neighbours.cpp: who shares what (§2.2, §2.8)
 /// The copy on the other side of a shared edge. Precondition: the edge is shared.
 SharedEdge& across(Engine&, geometry::EdgeId);
-/// The edges that two segments share: the copies on the one in the lower slot. Empty if they are no neighbours.
+/// The edges that two segments share: the copies on the one in the lower slot. Empty if they are no
+/// neighbours.
 std::span<const geometry::EdgeId> edges_between(const Engine&, const Segment&, const Segment&);
 /// Edge a of one segment and edge b of the other are a corresponding pair from now on. Both are in their
 /// perimeters, or will be before boundary_changed() of their segments is called.
@@ -298,7 +299,8 @@ void unshare(Engine&, geometry::EdgeId);
 /// The two are no neighbours any more.
 void dissolve_neighbours(Engine&, Segment&, Segment&);
 void dissolve_all_neighbours(Engine&, Segment&);
-/// Unshares, of these edges and those that adjoin their copies, what has been left with ends that do not meet.
+/// Unshares, of these edges and those that adjoin their copies, what has been left with ends that do not
+/// meet.
 void unshare_where_ends_part(Engine&, std::span<const geometry::EdgeId> edges);
 /// The perimeter has been made anew, its edges with their identities: shared edges that did not come along
 /// are unshared.
@@ -318,8 +320,8 @@ bool share_modified(Engine&);
 bool form_corners_of_modified(Engine&);
 
 // reposition.cpp: §2.4.4
-/// Puts these shared edges of s, and their copies, onto the lines where the planes meet now. What cannot follow
-/// is unshared.
+/// Puts these shared edges of s, and their copies, onto the lines where the planes meet now. What cannot
+/// follow is unshared.
 void reposition(Engine&, Segment& s, std::vector<geometry::EdgeId> edges);
 
 // fissures.cpp: §2.5 and step 3

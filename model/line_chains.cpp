@@ -38,22 +38,25 @@ class ChainWalk {
         part_(*a.polygon),
         other_(b.slot),
         line_(line),
-        sideways_(a.polygon->plane().normal.cross(line.along)),
+        view_(e, *a.polygon, line),
         window_(window),
         reach_(reach) {}
 
   std::vector<LineChain> all() {
     std::vector<LineChain> chains;
-    for (const auto& [edge, slot] : seeds())
+    const auto edges = seeds();
+    // Most windows have no open edge and nothing to give; when finishing, shared edges are joined, too.
+    if (!e_.finishing && std::all_of(edges.begin(), edges.end(), [&](const auto& seed) {
+          return part_.perimeter.node(seed.second).shared;
+        }))
+      return chains;
+    for (const auto& [edge, slot] : edges)
       if (!visited_.count(static_cast<std::uint32_t>(slot))) chains.push_back(chain_through(slot));
     return chains;
   }
 
  private:
-  Station station(Slot s) const {
-    const Eigen::Vector3d p = part_.position(s);
-    return {line_.place_of(p), sideways_.dot(p - line_.origin), part_.perimeter.at(s), s};
-  }
+  Station station(Slot s) const { return view_.station(s); }
   bool near(const Station& s) const { return std::abs(s.offset) < reach_; }
 
   /// May the chain go on along this edge?
@@ -128,7 +131,7 @@ class ChainWalk {
   const PolygonPart& part_;
   std::uint32_t other_;
   const CommonLine& line_;
-  Eigen::Vector3d sideways_;
+  LineView view_;
   LineWindow window_;
   double reach_;
   std::unordered_set<std::uint32_t> visited_;
@@ -170,10 +173,11 @@ std::vector<LineChain> line_chains(Engine& e, const Segment& a, const Segment& b
 Concavity concavity_of(Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
                        const std::vector<LineChain>& chains_a, const std::vector<LineChain>& chains_b) {
   if (const auto shared = edges_between(e, a, b); !shared.empty()) {
-    const geometry::EdgeId edge = a.slot < b.slot ? shared.front() : e.shared.at(shared.front().value).partner;
+    const geometry::EdgeId edge =
+        a.slot < b.slot ? shared.front() : e.shared.at(shared.front().value).partner;
     const Slot s = e.shared.at(edge.value).slot;
-    const bool forward =
-        line.place_of(a.polygon->position(s)) < line.place_of(a.polygon->position(a.polygon->perimeter.next(s)));
+    const bool forward = line.place_of(a.polygon->position(s)) <
+                         line.place_of(a.polygon->position(a.polygon->perimeter.next(s)));
     return forward ? Concavity::convex : Concavity::concave;
   }
   // The two registers of §2.6.1: overlaps of edges that run opposite to each other.

@@ -23,6 +23,37 @@ struct LineChain {
   std::vector<geometry::Slot> edges;  ///< one less than the stations
 };
 
+/// A polygon's vertices as they lie along a common line. The same vertex gives the same numbers every time.
+class LineView {
+ public:
+  LineView(const Engine& e, const PolygonPart& part, const CommonLine& line)
+      : perimeter_(part.perimeter),
+        place_(affine(e, part, line, line.along)),
+        offset_(affine(e, part, line, part.plane().normal.cross(line.along))) {}
+
+  Station station(geometry::Slot s) const {
+    const geometry::Point2 p = perimeter_.at(s);
+    return {place_(p), offset_(p), p, s};
+  }
+
+ private:
+  /// A coordinate along a direction from the line's origin, as a function of the chart point.
+  struct Affine {
+    double c0, cx, cy;
+    double operator()(geometry::Point2 p) const { return c0 + cx * p.x + cy * p.y; }
+  };
+  static Affine affine(const Engine& e, const PolygonPart& part, const CommonLine& line,
+                       const Eigen::Vector3d& direction) {
+    const geometry::Chart& chart = part.chart;
+    return {direction.dot(chart.at({0, 0}, part.published.h0) - line.origin),
+            e.step * direction.dot(chart.u() + part.published.hx * chart.normal()),
+            e.step * direction.dot(chart.v() + part.published.hy * chart.normal())};
+  }
+
+  const geometry::Polygon& perimeter_;
+  Affine place_, offset_;
+};
+
 /// A piece of a line: from one place to another.
 struct LineWindow {
   double begin = 0, end = 0;

@@ -96,7 +96,8 @@ SharedEdge& across(Engine& e, EdgeId edge) { return e.shared.at(e.shared.at(edge
 
 std::span<const EdgeId> edges_between(const Engine& e, const Segment& a, const Segment& b) {
   const auto entry = e.neighbour_edges.find(pair_key(a.slot, b.slot));
-  return entry == e.neighbour_edges.end() ? std::span<const EdgeId>{} : std::span<const EdgeId>(entry->second);
+  return entry == e.neighbour_edges.end() ? std::span<const EdgeId>{}
+                                          : std::span<const EdgeId>(entry->second);
 }
 
 void pair_edges(Engine& e, Segment& of_a, EdgeId a, Segment& of_b, EdgeId b) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include <limpet/geometry/predicates.hpp>
 
@@ -163,7 +164,7 @@ geometry::Edit edit_for(const Side& side, const Section& section, Point2 l1, Poi
 /// What came of a look at two segments.
 enum class Formed {
   none,
-  in_order,    ///< where the orderings stay what they were
+  in_order,  ///< where the orderings stay what they were
   to_be_ordered
 };
 
@@ -267,7 +268,8 @@ class PairFormer {
     if (!gains || !correspond(on_p.shared, on_q.shared)) return false;
     if (!near_or_by_chance(e_, p_, *p) || !near_or_by_chance(e_, q_, *q)) return false;
     if (!commit(*p, *q)) return false;
-    formed_ = !on_p.shared.empty() || order_stays(e_, formed_edge_) ? Formed::in_order : Formed::to_be_ordered;
+    formed_ =
+        !on_p.shared.empty() || order_stays(e_, formed_edge_) ? Formed::in_order : Formed::to_be_ordered;
     return true;
   }
 
@@ -327,7 +329,8 @@ class PairFormer {
 /// By identity: the ends of a corresponding pair are at one place, that of a's copy.
 void match_places(Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
                   std::vector<LineChain>& chains_b) {
-  const auto place_on_a = [&](Slot s) { return line.place_of(a.polygon->position(s)); };
+  const LineView view(e, *a.polygon, line);
+  const auto place_on_a = [&](Slot s) { return view.station(s).place; };
   for (LineChain& chain : chains_b)
     for (std::size_t i = 0; i < chain.edges.size(); ++i) {
       const auto& node = b.polygon->perimeter.node(chain.edges[i]);
@@ -356,7 +359,7 @@ bool may_share(const Engine& e, const Segment& s) { return s.polygon && (e.finis
 /// The pieces of a window where the line comes near places where s has changed, and some way on.
 std::vector<LineWindow> changed_windows(const Engine& e, const CommonLine& line, const LineWindow& window,
                                         const Places& places) {
-  constexpr double kOn = 6;  // λ: so far sections may reach beyond what has changed, at a time
+  constexpr double kOn = 3;  // λ: so far sections may reach beyond what has changed, at a time
   const double lambda = e.parameters.resolution;
   std::vector<LineWindow> result;
   for (const Box3& box : places.boxes()) {
@@ -412,17 +415,33 @@ bool share_modified(Engine& e) {
     if (e.segments[slot] && e.segments[slot]->polygon && !e.segments[slot]->polygon->unshared.empty())
       turn.emplace_back(e.segments[slot]->id, slot);
   std::sort(turn.begin(), turn.end());
+  std::vector<Places> changed;
+  for (const auto& [id, slot] : turn) changed.push_back(std::exchange(e.at(slot).polygon->unshared, {}));
+  const auto changed_of = [&](SegmentId id) -> const Places* {
+    const auto at = std::lower_bound(turn.begin(), turn.end(), std::pair(id, std::uint32_t{0}));
+    return at != turn.end() && at->first == id ? &changed[static_cast<std::size_t>(at - turn.begin())]
+                                               : nullptr;
+  };
+  std::set<std::pair<SegmentId, SegmentId>> done;
   bool any = false;
-  for (const auto& [id, slot] : turn) {
-    Segment* s = e.find(id, slot);
-    if (!s || !may_share(e, *s)) continue;
-    const Places places = std::exchange(s->polygon->unshared, {});
-    query(e.polygons, places, e.found);
+  for (std::size_t i = 0; i < turn.size(); ++i) {
+    Segment& s = e.at(turn[i].second);
+    if (!may_share(e, s)) continue;
+    query(e.polygons, changed[i], e.found);
     std::vector<std::pair<SegmentId, std::uint32_t>> others;
     for (const std::uint32_t other : e.found)
-      if (other != slot && may_share(e, e.at(other))) others.emplace_back(e.at(other).id, other);
+      if (other != s.slot && may_share(e, e.at(other))) others.emplace_back(e.at(other).id, other);
     std::sort(others.begin(), others.end());
-    for (const auto& other : others) any |= share_pair(e, *s, e.at(other.second), places);
+    for (const auto& [id, slot] : others) {
+      Places places = changed[i];
+      if (const Places* theirs = changed_of(id)) {  // looked at once, where either has changed
+        const std::pair pair = std::minmax(s.id, id);
+        if (done.count(pair)) continue;
+        done.insert(pair);
+        places.add(*theirs);
+      }
+      any |= share_pair(e, s, e.at(slot), places);
+    }
   }
   return any;
 }
