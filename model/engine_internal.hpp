@@ -132,7 +132,8 @@ struct Engine {
   std::unordered_map<std::uint64_t, SharedEdge> shared;  ///< by the edge's identity
   /// Of each pair of neighbours, by pair_key(), the copies on the one that is in the lower slot, ascending.
   std::unordered_map<std::uint64_t, std::vector<geometry::EdgeId>> neighbour_edges;
-  bool repositioning = false;  ///< the ends of copies may be apart for the moment
+  std::vector<SegmentId> redundant;  ///< found so by step 4, to be deleted behind it
+  bool repositioning = false;        ///< the ends of copies may be apart for the moment
   bool finishing = false;
   double section_reach = 1;  ///< λ: how far a section that gives way to a shared edge may be from it
   double least_shared = 2;   ///< λ: no shorter edge makes two segments neighbours
@@ -315,6 +316,12 @@ bool order_stays(Engine&, geometry::EdgeId);
 
 // share_edges.cpp: §2.6 and step 4
 bool share_modified(Engine&);
+
+// redundancy.cpp: §2.9
+/// After the two, no neighbours, found no edge to share: is the smaller one redundant, by ψ and φ?
+void note_if_redundant(Engine&, const Segment&, const Segment&);
+/// Deletes what was noted and, when finishing, segments without neighbours that lie on others.
+bool delete_redundant(Engine&);
 
 // corners.cpp: §2.7 and step 5
 bool form_corners_of_modified(Engine&);

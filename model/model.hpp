@@ -24,7 +24,10 @@ struct Parameters {
   double input_quantum = 0;     ///< the scan's own rounding; ≥ 0
   double tolerance = 0;         ///< how far from its plane a surface may be; 0: 3 standard deviations
   std::int64_t outlier_patience = 1'000'000;  ///< sensor points after which a small point segment expires
-  bool neighbours = true;                     ///< form shared edges and corner vertices (thesis §2.6, §2.7)
+  /// ψ and φ: a segment of fewer than ψ points, and of less than the part φ of another's, that finds no edge
+  /// to share with it is redundant (thesis §2.9)
+  double redundancy_count = 20, redundancy_ratio = 0.05;
+  bool neighbours = true;  ///< form shared edges and corner vertices (thesis §2.6, §2.7)
   Rules rules;
 };
 
@@ -37,6 +40,7 @@ struct Counts {
   std::int64_t sets = 0;
   std::int64_t point_segments = 0, polygons = 0, holes = 0;
   std::int64_t edges = 0, shared_edges = 0;
+  std::int64_t redundant_by_count = 0, redundant_by_position = 0;  ///< segments deleted (thesis §2.9)
 };
 
 /// An incremental planar polyhedral surface model (thesis chapter 2).

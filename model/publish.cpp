@@ -93,10 +93,10 @@ bool variance_allowed(const Engine& e, const PolygonPart& part, const Moments& m
 void publish(Engine& e, Segment& s) {
   PolygonPart& part = *s.polygon;
   const geometry::Lift lift(part.chart, s.fit.plane());
-  // A shift d of the plane moves an intersection line by up to d / sin μ.
+  // A shift d of the plane moves an intersection line by up to d / sin μ. In the end every plane is the best.
   const double shift = largest_shift(lift, part.published, part.perimeter.box());
   part.stale = false;
-  if (shift <= e.gap / 16 * e.sin_angle) return;
+  if (shift <= (e.finishing ? 1 : e.gap / 16 * e.sin_angle)) return;
   part.stale = s.moments.count() > 0 && !faces_outside(s.fit.normal, s.axis_sum);
   if (part.stale) return;
   const bool outermost = !std::exchange(e.repositioning, true);

@@ -163,6 +163,7 @@ geometry::Edit edit_for(const Side& side, const Section& section, Point2 l1, Poi
 
 /// What came of a look at two segments.
 enum class Formed {
+  not_near,  ///< one has no edge near the line: nothing was attempted
   none,
   in_order,  ///< where the orderings stay what they were
   to_be_ordered
@@ -345,9 +346,9 @@ void match_places(Engine& e, const Segment& a, const Segment& b, const CommonLin
 Formed share_once(Engine& e, Segment& a, Segment& b, const CommonLine& line, const LineWindow& window) {
   const double reach = e.section_reach * e.parameters.resolution;
   const auto chains_a = line_chains(e, a, b, line, window, reach);
-  if (chains_a.empty()) return Formed::none;
+  if (chains_a.empty()) return Formed::not_near;
   auto chains_b = line_chains(e, b, a, line, window, reach);
-  if (chains_b.empty()) return Formed::none;
+  if (chains_b.empty()) return Formed::not_near;
   const Concavity concavity = concavity_of(e, a, b, line, chains_a, chains_b);
   if (concavity == Concavity::undecided) return Formed::none;
   match_places(e, a, b, line, chains_b);
@@ -391,14 +392,16 @@ bool share_pair(Engine& e, Segment& a, Segment& b, const Places& places) {
   const auto window = window_of(e, *line, *a.polygon, *b.polygon);
   if (!window) return false;
   int count = 0;
-  bool disordered = false;
+  bool disordered = false, attempted = false;
   for (const LineWindow& piece : changed_windows(e, *line, *window, places))
     while (count < kMaxPairsFormed) {
       const Formed formed = share_once(e, a, b, *line, piece);
-      if (formed == Formed::none) break;
+      attempted |= formed != Formed::not_near;
+      if (formed == Formed::none || formed == Formed::not_near) break;
       disordered |= formed == Formed::to_be_ordered;
       ++count;
     }
+  if (count == 0 && attempted && edges_between(e, a, b).empty()) note_if_redundant(e, a, b);
   if (disordered) {
     dissolve_disordered(e, a);
     dissolve_disordered(e, b);

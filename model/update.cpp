@@ -61,6 +61,7 @@ bool mergers_and_fissures(Engine& e) {
 bool shared_edges_and_corners(Engine& e) {
   bool any = share_modified(e);
   any |= form_corners_of_modified(e);
+  any |= delete_redundant(e);
   e.stage_clock.lap(&StageTimes::sharing);
   return any;
 }
@@ -175,6 +176,7 @@ void finish(Engine& e) {
   e.changes.clear();
   if (!e.rules().finish) return;
   e.stage_clock.start();
+  e.finishing = true;
   for (const auto& s : e.segments)
     if (s && s->polygon) refit(e, *s);
   for (const auto& s : e.segments)  // the model has grown since: all points may try again
@@ -184,7 +186,6 @@ void finish(Engine& e) {
   release_all_point_segments(e);
   mark_all(e);
   e.refused_pairs.clear();
-  e.finishing = true;
   e.stage_clock.lap(&StageTimes::rest);
   until_nothing_changes(e);
   if (e.parameters.neighbours) close_what_is_open(e);
