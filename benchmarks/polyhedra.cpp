@@ -12,11 +12,12 @@ namespace {
 constexpr std::int64_t kFacesOfFewPoints = 16;
 
 CloudSpec spec_of(const std::string& shape, std::int64_t points) {
+  // Holes make faces narrow: σ ≤ λ/10.
+  const bool has_holes = shape == "step_hole" || shape == "plate3";
   const std::int64_t faces = simulation::make_scene(shape).mesh.face_count;
-  // step_hole's narrow faces: σ ≤ λ/10.
   return {.shape = shape,
           .points = points * std::max(faces, kFacesOfFewPoints) / kFacesOfFewPoints,
-          .noise_ratio = shape == "step_hole" ? 0.0005 : 0.002};
+          .noise_ratio = has_holes ? 0.0005 : 0.002};
 }
 
 /// The answer and what the truth says of the mesh, if there is one.
