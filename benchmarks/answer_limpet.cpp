@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/io/mesh_writer.hpp>
 #include <limpet/simulation/judgement.hpp>
 #include <limpet/simulation/planar_face.hpp>
 
@@ -89,6 +90,7 @@ Json answer_limpet(const Json& request) {
   for (const auto& s : record.polygon_segments) in_planes += s.moments.count;
   answer["planes"] = record.polygon_segments.size();
   answer["in_planes"] = in_planes;
+  if (request.contains("mesh")) io::save_mesh(request["mesh"], record);
   if (request.value("judge", false)) judge(scan_case, path, record, answer);
   return answer;
 }

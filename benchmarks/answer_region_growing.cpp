@@ -15,7 +15,6 @@ namespace growing = CGAL::Shape_detection::Point_set;
 using NearestQuery = growing::K_neighbor_query<Kernel, OrientedPoints, PointMap>;
 using SphereQuery = growing::Sphere_neighbor_query<Kernel, OrientedPoints, PointMap>;
 using PlaneRegion = growing::Least_squares_plane_fit_region<Kernel, OrientedPoints, PointMap, NormalMap>;
-using Regions = std::vector<std::vector<std::size_t>>;
 
 constexpr double kMaxAngleDeg = 25;
 
@@ -31,6 +30,10 @@ Regions grow(const ScanCase& scan_case, const OrientedPoints& points, Query&& qu
 
 }  // namespace
 
+Regions internal::grow_regions(const ScanCase& scan_case, const OrientedPoints& points) {
+  return grow(scan_case, points, NearestQuery(points, kNeighbours));
+}
+
 Json answer_region_growing(const Json& request) {
   const ScanCase scan_case(request.at("spec").get<CloudSpec>());
   const double before = resident_megabytes();
@@ -40,7 +43,7 @@ Json answer_region_growing(const Json& request) {
   if (request.value("estimate", false)) estimate_normals(points);
   const Regions regions = request.value("sphere", false)
                               ? grow(scan_case, points, SphereQuery(points, scan_case.spacing))
-                              : grow(scan_case, points, NearestQuery(points, kNeighbours));
+                              : grow_regions(scan_case, points);
   const double seconds = watch.seconds();
   return answer_of(scan_case, path, regions, seconds, peak_megabytes() - before);
 }

@@ -1,13 +1,14 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // How fast are points modelled, in how much memory, and how late? Beside the least that a point costs and
-// beside CGAL's plane detectors, which see the same cloud.
+// beside CGAL's plane detectors and its PolyFit, which see the same cloud.
 //
 //     limpet_bench throughput --shapes cube,city:100 --points 1000000 [--orders shuffled,raster] [--runs 3]
 //                             [--no-cgal | --contestants limpet,ransac] [--noise 0.002] [--csv FILE]
 //     limpet_bench streams --shapes cube --points 10000000     one long stream, looked at on its way
 //     limpet_bench sizes --boxes 1,10,100                      cities, as many points for each face
 //     limpet_bench latency --boxes 200                         how long one set of 26 takes
+//     limpet_bench polyhedra --shapes cube,step_hole           whole polyhedra beside PolyFit's
 //     limpet_bench report --out DIR [--full]                   all of these: report.md, CSV files
 //
 // Every measurement runs in a process of its own (process.hpp). docs/benchmarks.md says what figures mean.
@@ -39,6 +40,8 @@ Json answer(const Json& request) {
   if (what == "limpet") return answer_limpet(request);
   if (what == "region_growing") return answer_region_growing(request);
   if (what == "ransac") return answer_ransac(request);
+  if (what == "polyfit") return answer_polyfit(request);
+  if (what == "judgement") return answer_judgement(request);
   if (what == "stream") return answer_stream(request);
   if (what == "latency") return answer_latency(request);
   throw std::invalid_argument("no such measurement: " + what);
@@ -61,6 +64,7 @@ struct Arguments {
   std::vector<std::string> orders{"shuffled", "raster"};
   SizeOptions sizes;
   LatencyOptions latency;
+  PolyhedraOptions polyhedra;
   std::string request;
   ReportOptions report;
 };
@@ -127,6 +131,22 @@ void add_latency(CLI::App& app, Arguments& args) {
   c->callback([&args] { show(measure_latency(args.latency, args.limits), args.csv); });
 }
 
+void add_polyhedra(CLI::App& app, Arguments& args) {
+  PolyhedraOptions& options = args.polyhedra;
+  auto* c = app.add_subcommand("polyhedra", "Whole polyhedra, beside PolyFit's");
+  c->add_option("--shapes", options.shapes)->delimiter(',');
+  c->add_option("--points", options.points, "for up to 16 faces; for more as many for each")->delimiter(',');
+  c->add_option("--contestants", options.contestants)
+      ->delimiter(',')
+      ->check(CLI::IsMember({"limpet", "polyfit"}));
+  c->add_option("--csv", args.csv);
+  c->callback([&args] {
+    Table table = polyhedra_table();
+    measure_polyhedra(args.polyhedra, args.limits, table);
+    show(table, args.csv);
+  });
+}
+
 void add_report(CLI::App& app, Arguments& args) {
   auto* c = app.add_subcommand("report", "All of these");
   c->add_option("--out", args.report.folder)->required();
@@ -134,7 +154,7 @@ void add_report(CLI::App& app, Arguments& args) {
   c->add_flag("--full", args.report.full, "10^8 points, cities of up to 1000 boxes, more runs; hours");
   c->add_option("--parts", args.report.parts)
       ->delimiter(',')
-      ->check(CLI::IsMember({"latency", "streams", "sizes", "throughput"}));
+      ->check(CLI::IsMember({"latency", "streams", "sizes", "polyhedra", "throughput"}));
   c->callback([&args] { write_report(args.report, args.limits); });
 }
 
@@ -149,6 +169,7 @@ int run(int argc, char** argv) {
   add_streams(app, args);
   add_sizes(app, args);
   add_latency(app, args);
+  add_polyhedra(app, args);
   add_report(app, args);
   auto* c = app.add_subcommand("answer")->group("");
   c->add_option("request", args.request)->required();

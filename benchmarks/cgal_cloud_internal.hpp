@@ -20,6 +20,7 @@ using Oriented = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 using PointMap = CGAL::First_of_pair_property_map<Oriented>;
 using NormalMap = CGAL::Second_of_pair_property_map<Oriented>;
 using OrientedPoints = std::vector<Oriented>;
+using Regions = std::vector<std::vector<std::size_t>>;  ///< indices of the points of each
 
 /// With the true normals.
 inline OrientedPoints read_oriented(const ScanCase& scan_case, const std::string& path) {
@@ -39,5 +40,8 @@ inline OrientedPoints read_oriented(const ScanCase& scan_case, const std::string
 
 /// estimate_normals.cpp: by the nearest points of each, not oriented, as neither detector asks for that.
 void estimate_normals(OrientedPoints&);
+
+/// answer_region_growing.cpp: planes by CGAL's region growing, neighbours by the nearest points.
+Regions grow_regions(const ScanCase&, const OrientedPoints&);
 
 }  // namespace limpet::benchmarks::internal

@@ -16,7 +16,7 @@ namespace limpet::benchmarks {
 /// Streams the cloud through a model in sets of 26. Also answers with "reading_seconds" and "finish_seconds";
 /// with "stages" in the request, with seconds by stage before finishing, on the wall clock; with "judge",
 /// with what the floor takes on the final model ("floor_seconds"), and a face is right when judge_faces()
-/// finds it represented by one polygon with as many holes.
+/// finds it represented by one polygon with as many holes. The model is left at "mesh" if the request has it.
 Json answer_limpet(const Json& request);
 
 /// CGAL's region growing and Efficient RANSAC. A face is right by its points (faces_right_by_points()).
@@ -24,6 +24,12 @@ Json answer_limpet(const Json& request);
 /// gift. "sphere": neighbours within a sphere of about 15 points instead of the 12 nearest.
 Json answer_region_growing(const Json& request);
 Json answer_ransac(const Json& request);
+
+/// CGAL's PolyFit on the planes of region growing with the true normals: leaves a mesh (OFF) at "mesh" of the
+/// request. Answers with "points", "seconds", of them "detecting_seconds" (planes), "generating_seconds"
+/// (candidate faces) and "solving_seconds", "megabytes", "planes", "candidates" and "faces" (the mesh's
+/// facets); tells those it has so far. "failed" if it was built without the solver, or found no solution.
+Json answer_polyfit(const Json& request);
 
 /// Sensor points in a set.
 inline constexpr std::size_t kSet = 26;

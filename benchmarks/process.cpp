@@ -11,6 +11,8 @@
 #include <csignal>
 #include <ctime>
 #include <fstream>
+#include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -44,6 +46,17 @@ std::string read_all(int from, double limit_seconds, bool& late) {
   }
 }
 
+/// The last line that is one of ours: libraries may print others.
+Json last_told(const std::string& text) {
+  Json told;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    Json json = Json::parse(line, nullptr, false);
+    if (json.is_object()) told = std::move(json);
+  }
+  return told;
+}
+
 }  // namespace
 
 Json ask_process(const Json& request, double limit_seconds) {
@@ -68,12 +81,16 @@ Json ask_process(const Json& request, double limit_seconds) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (late) return {{"failed", "more than " + std::to_string(static_cast<int>(limit_seconds)) + " s"}};
-  if (WIFSIGNALED(status)) return {{"failed", "signal " + std::to_string(WTERMSIG(status))}};
-  Json result = Json::parse(answer, nullptr, false);
-  if (result.is_discarded()) return {{"failed", "status " + std::to_string(WEXITSTATUS(status))}};
-  return result;
+  Json told = last_told(answer);
+  const auto failed = [&told](const std::string& why) -> Json { return {{"failed", why}, {"so_far", told}}; };
+  if (late) return failed("more than " + std::to_string(static_cast<int>(limit_seconds)) + " s");
+  if (WIFSIGNALED(status)) return failed("signal " + std::to_string(WTERMSIG(status)));
+  if (WEXITSTATUS(status) != 0 || told.is_null())
+    return failed("status " + std::to_string(WEXITSTATUS(status)));
+  return told;
 }
+
+void tell_so_far(const Json& so_far) { std::cout << so_far.dump() << std::endl; }
 
 double CpuWatch::now() {
   timespec time{};

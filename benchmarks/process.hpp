@@ -12,8 +12,13 @@ namespace limpet::benchmarks {
 using Json = nlohmann::json;
 
 /// Does what is asked in a process of its own. The answer holds "failed" with a reason instead when the
-/// process exceeds the time limit, which ends it, or fails otherwise.
+/// process exceeds the time limit, which ends it, or fails otherwise; then what it told last is "so_far".
 Json ask_process(const Json& request, double limit_seconds);
+/// In the process that was asked: what is known so far, should it not come to an answer.
+void tell_so_far(const Json&);
+
+/// In the process that was asked: what is known before the answer, should there be none.
+void tell_so_far(const Json&);
 
 /// Peak and present resident memory of this process, MB (10⁶ bytes).
 double peak_megabytes();

@@ -41,7 +41,8 @@ class Report {
     write(name + ".md", "## " + title + "\n\n" + said + " " + where_ + "\n\n" + table.markdown() +
                             (has_picture ? "\n![" + title + "](" + name + ".png)\n" : ""));
     std::string all = "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n";
-    for (const char* part : {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency"}) {
+    for (const char* part :
+         {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency", "polyhedra"}) {
       std::ifstream file(folder_ + "/" + part + ".md");
       if (file) all += "\n" + std::string(std::istreambuf_iterator<char>(file), {});
     }
@@ -116,6 +117,16 @@ void add_latency(const ReportOptions& options, const Limits& limits, Report& rep
              measure_latency(latency, limits), "latency");
 }
 
+void add_polyhedra(const ReportOptions& options, const Limits& limits, Report& report) {
+  PolyhedraOptions polyhedra;
+  if (!options.full) polyhedra.shapes = {"cube", "L", "step_hole", "city:3"}, polyhedra.points = {20'000};
+  Table table = polyhedra_table();
+  measure_polyhedra(polyhedra, limits, table);
+  report.add("Whole polyhedra",
+             "limpet's models beside PolyFit's; distances in units of λ, times in seconds.", table,
+             "polyhedra");
+}
+
 }  // namespace
 
 void write_report(const ReportOptions& options, Limits limits) {
@@ -124,6 +135,7 @@ void write_report(const ReportOptions& options, Limits limits) {
   const std::map<std::string, decltype(&add_latency)> parts{{"latency", add_latency},
                                                             {"streams", add_streams},
                                                             {"sizes", add_sizes},
+                                                            {"polyhedra", add_polyhedra},
                                                             {"throughput", add_throughput}};
   for (const std::string& name : options.parts) parts.at(name)(options, limits, report);
 }

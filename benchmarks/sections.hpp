@@ -68,4 +68,16 @@ struct LatencyOptions {
 Table measure_latency(const LatencyOptions&, const Limits&);
 Json answer_latency(const Json& request);
 
+// ---- Whole polyhedra beside PolyFit's (polyhedra.cpp) ----------------------------------------------
+
+struct PolyhedraOptions {
+  std::vector<std::string> shapes{"cube", "L", "step_hole", "city:3", "city:5", "city:10", "room"};
+  std::vector<std::int64_t> points{20'000, 100'000};  ///< for up to 16 faces; for more as many for each face
+  std::vector<std::string> contestants{"limpet", "polyfit"};
+};
+Table polyhedra_table();
+void measure_polyhedra(const PolyhedraOptions&, const Limits&, Table&);
+/// Judges the mesh at "mesh" by the truth (judge_polyhedron.cpp).
+Json answer_judgement(const Json& request);
+
 }  // namespace limpet::benchmarks

@@ -1,11 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <unistd.h>
-
 #include <cstdio>
-#include <cstdlib>
 #include <map>
-#include <stdexcept>
 
+#include "cloud_file.hpp"
 #include "contestants.hpp"
 #include "sections.hpp"
 
@@ -23,29 +20,6 @@ const std::map<std::string, Json>& requests() {
       {"ransac_estimated", {{"what", "ransac"}, {"estimate", true}}}};
   return all;
 }
-
-/// A cloud for the processes to read: a file without a name, so that nothing is left of it whatever happens.
-class CloudFile {
- public:
-  CloudFile(const CloudSpec& spec, const Limits& limits) {
-    std::string name = limits.scratch + "/limpet_bench_XXXXXX";
-    descriptor_ = ::mkstemp(name.data());
-    if (descriptor_ < 0) throw std::runtime_error("cannot write in " + limits.scratch);
-    ::unlink(name.c_str());
-    answer_ = ask_process({{"what", "cloud"}, {"spec", spec}, {"cloud", path()}}, limits.own_seconds);
-  }
-  ~CloudFile() { ::close(descriptor_); }
-  CloudFile(const CloudFile&) = delete;
-  CloudFile& operator=(const CloudFile&) = delete;
-
-  /// As the processes see it, which inherit it.
-  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-  const Json& answer() const { return answer_; }
-
- private:
-  int descriptor_;
-  Json answer_;
-};
 
 /// The faster of two answers, with what only one of them holds; a failure gives way to anything else.
 void keep_best(Json& best, Json answer) {
@@ -142,8 +116,6 @@ void measure_throughput(const CloudSpec& spec, const ThroughputOptions& options,
                         ThroughputTables& tables) {
   std::fprintf(stderr, "%s, %ld points, %s: cloud", spec.shape.c_str(), spec.points, spec.order.c_str());
   const CloudFile cloud(spec, limits);
-  if (cloud.answer().contains("failed"))
-    throw std::runtime_error("no cloud: " + cloud.answer()["failed"].get<std::string>());
   std::map<std::string, Json> best;
   Json staged;
   const auto ask = [&](Json request) {
