@@ -1,0 +1,101 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Known shapes become what they are: closed, every edge shared by the right two polygons, corners where the
+// truth has them (thesis §2.6 to §2.8).
+#include <gtest/gtest.h>
+
+#include <limpet/io/welded.hpp>
+
+#include "judged_scan.hpp"
+
+namespace limpet::model {
+namespace {
+
+using namespace testing;
+
+struct KnownShape {
+  std::string name;
+  int sides, corners;  ///< between two faces; where three faces or more meet
+  bool closed = true;
+};
+
+const std::vector<KnownShape>& known_shapes() {
+  static const std::vector<KnownShape> all{
+      {"cube", 12, 8},    {"L", 18, 12},         {"pyramid", 8, 5},        {"octahedron", 12, 6},
+      {"plate3", 48, 32}, {"step_hole", 30, 20}, {"open_box", 8, 4, false}};
+  return all;
+}
+
+/// Vertices that join two edges shared with different neighbours, each counted once however many have it.
+std::int64_t corners_of(const ModelRecord& record) {
+  return io::weld(io::lift(record), record.resolution).corners;
+}
+
+void expect_known(const KnownShape& shape, double noise, Order order) {
+  const JudgedScan scan = judged_shape(shape.name, 20'000, noise, order);
+  const Model model = watched(scan.parameters, scan.points);
+  const ModelRecord record = model.record();
+  const auto topology = scan.topology(record);
+  EXPECT_TRUE(topology.isomorphic) << faults_of(topology);
+  EXPECT_EQ(topology.closed, shape.closed);
+  EXPECT_EQ(topology.true_shared, shape.sides);
+  EXPECT_EQ(topology.shared, shape.sides);
+  EXPECT_EQ(topology.false_shared, 0);
+  EXPECT_LT(topology.vertex_distance, scan.parameters.resolution / 4);
+  EXPECT_EQ(model.counts().shared_edges, shape.sides);
+  EXPECT_EQ(corners_of(record), shape.corners);
+  EXPECT_EQ(model.surfaces().size(), static_cast<std::size_t>(1 + model.counts().point_segments));
+}
+
+void expect_all_known(Order order, double noise) {
+  for (const KnownShape& shape : known_shapes()) {
+    SCOPED_TRACE(shape.name + ", seed 1");
+    expect_known(shape, noise, order);
+  }
+}
+
+TEST(KnownShapes, CloseInRasterOrder) { expect_all_known(Order::raster, 0); }
+TEST(KnownShapes, CloseShuffled) { expect_all_known(Order::shuffled, 0); }
+TEST(KnownShapes, CloseSampled) { expect_all_known(Order::sampled, 0); }
+TEST(KnownShapes, CloseInRasterOrderWithNoise) { expect_all_known(Order::raster, 0.002); }
+TEST(KnownShapes, CloseShuffledWithNoise) { expect_all_known(Order::shuffled, 0.002); }
+TEST(KnownShapes, CloseSampledWithNoise) { expect_all_known(Order::sampled, 0.002); }
+
+TEST(OpenBox, IsOpenAtItsRimAlone) {
+  const JudgedScan scan = judged_shape("open_box", 20'000, 0, Order::sampled);
+  const ModelRecord record = watched(scan.parameters, scan.points).record();
+  for (const auto& s : record.polygon_segments) {
+    const auto cycle = world_perimeter(s, record.grid_step);
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      if (s.cycles[0][i].partner != 0) continue;
+      EXPECT_NEAR(cycle[i].z(), 1, scan.parameters.resolution);
+      EXPECT_NEAR(cycle[(i + 1) % cycle.size()].z(), 1, scan.parameters.resolution);
+    }
+  }
+}
+
+/// Wherever a stream stops, the model is sound and its neighbours are true ones.
+TEST(KnownShapes, HaveTrueNeighboursAtAnyTime) {
+  for (const std::string name : {"cube", "L", "octahedron", "step_hole"}) {
+    const JudgedScan scan = judged_shape(name, 20'000, 0.001, Order::shuffled, 3);
+    Model model(scan.parameters);
+    for (int part = 0; part < 8; ++part) {
+      feed(model, Points(scan.points.begin() + part * 2'500 % static_cast<long>(scan.points.size()),
+                         scan.points.begin() + std::min<long>((part + 1) * 2'500, scan.points.size())));
+      EXPECT_EQ(broken_laws(model.record()), "") << name << " part " << part;
+      if (part >= 4) EXPECT_EQ(scan.topology(model.record()).false_shared, 0) << name << " part " << part;
+    }
+  }
+}
+
+TEST(Neighbours, AreNoneUnlessWanted) {
+  JudgedScan scan = judged_shape("cube", 10'000, 0, Order::sampled);
+  scan.parameters.neighbours = false;
+  const Model model = watched(scan.parameters, scan.points);
+  EXPECT_EQ(model.counts().polygons, 6);
+  EXPECT_EQ(model.counts().shared_edges, 0);
+  EXPECT_EQ(model.surfaces().size(), static_cast<std::size_t>(6 + model.counts().point_segments));
+}
+
+}  // namespace
+}  // namespace limpet::model
