@@ -109,6 +109,10 @@ BoundaryChange boundary_changed(Engine& e, Segment& s) {
     entry.segment = s.slot, entry.slot = slot;
     insert_sorted(part.shared, edge);
   }
+  // All of them are gone before the first is unshared: none is asked where it ends.
+  for (const EdgeId edge : change.removed)
+    if (const auto entry = e.shared.find(edge.value); entry != e.shared.end())
+      entry->second.slot = geometry::kNoSlot;
   for (const EdgeId edge : change.removed)
     if (e.shared.count(edge.value)) unshare(e, edge);
   return change;
