@@ -55,9 +55,10 @@ inline JudgedScan sampled_scan(simulation::Mesh mesh, double resolution, double 
   return judged_scan(std::move(mesh), resolution, noise, options);
 }
 
-/// A named shape; `noise` is a fraction of its largest extent.
+/// A named shape; `noise` is a fraction of its largest extent. λ is such that there are `density` points on
+/// λ².
 inline JudgedScan judged_shape(const std::string& shape, std::int64_t count, double noise, Order order,
-                               std::uint64_t seed = 1) {
+                               std::uint64_t seed = 1, double density = 5) {
   auto scene = simulation::make_scene(shape);
   const auto bounds = simulation::bounds_of(scene.mesh);
   double area = 0;
@@ -68,7 +69,7 @@ inline JudgedScan judged_shape(const std::string& shape, std::int64_t count, dou
   options.seed = seed;
   options.viewpoints = scene.viewpoints;
   return judged_scan(std::move(scene.mesh),
-                     std::max(scene.feature / 20, 2.2 * std::sqrt(area / static_cast<double>(count))),
+                     std::max(scene.feature / 20, std::sqrt(density * area / static_cast<double>(count))),
                      noise * (bounds.high - bounds.low).maxCoeff(), options);
 }
 

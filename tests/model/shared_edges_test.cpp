@@ -30,8 +30,8 @@ struct KnownShape {
 const std::vector<KnownShape>& known_shapes() {
   static const std::vector<KnownShape> all{{"cube", 6'000, 12, 8},           {"L", 6'000, 18, 12},
                                            {"pyramid", 6'000, 8, 5},         {"octahedron", 6'000, 12, 6},
-                                           {"open_box", 6'000, 8, 4, false}, {"step_hole", 16'000, 30, 20},
-                                           {"plate3", 20'000, 48, 32}};
+                                           {"open_box", 6'000, 8, 4, false}, {"step_hole", 31'000, 30, 20},
+                                           {"plate3", 26'000, 48, 32}};
   return all;
 }
 
@@ -41,8 +41,8 @@ std::int64_t corners_of(const ModelRecord& record) {
 }
 
 void expect_known(const KnownShape& shape, Order order, double noise, std::uint64_t seed) {
-  const JudgedScan scan = judged_shape(shape.name, shape.points, noise, order, seed);
-  const Model model = watched(scan.parameters, scan.points);
+  const JudgedScan scan = judged_shape(shape.name, shape.points, noise, order, seed, 8);
+  const Model model = watched(scan.parameters, scan.points, 20, 52);
   const ModelRecord record = model.record();
   const auto topology = scan.topology(record);
   EXPECT_TRUE(topology.isomorphic) << faults_of(topology);

@@ -43,12 +43,14 @@ class MeshMaker {
   std::vector<std::vector<int>> polygons_;
 };
 
-/// The planes at z = 0 for x < 0 and, turned up by `degrees`, for x > 0, 2 × 2 each, seen from above.
+/// The planes at z = 0 for x < 0 and, turned up by `degrees`, for x > 0, 1.25 × 1.25 each,
+/// seen from above.
 inline Mesh folded(double degrees) {
-  const double x = 2 * std::cos(radians(degrees)), z = 2 * std::sin(radians(degrees));
+  constexpr double kSize = 1.25;
+  const double x = kSize * std::cos(radians(degrees)), z = kSize * std::sin(radians(degrees));
   return MeshMaker()
-      .face({{-2, 0, 0}, {0, 0, 0}, {0, 2, 0}, {-2, 2, 0}})
-      .face({{0, 0, 0}, {x, 0, z}, {x, 2, z}, {0, 2, 0}})
+      .face({{-kSize, 0, 0}, {0, 0, 0}, {0, kSize, 0}, {-kSize, kSize, 0}})
+      .face({{0, 0, 0}, {x, 0, z}, {x, kSize, z}, {0, kSize, 0}})
       .make();
 }
 
