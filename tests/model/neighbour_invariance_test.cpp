@@ -6,7 +6,6 @@
 #include <limpet/io/polygon_mesh.hpp>
 #include <optional>
 #include <set>
-#include <tuple>
 
 #include "judged_scan.hpp"
 #include "solids.hpp"
@@ -102,9 +101,14 @@ std::optional<int> euler_characteristic(const io::PolygonMesh& mesh) {
 }
 
 TEST(ClosedModels, AreExportedAsClosedManifolds) {
-  const std::vector<std::tuple<std::string, std::int64_t, int>> shapes{
-      {"cube", 2}, {"L", 2}, {"pyramid", 2}, {"octahedron", 2}, {"plate3", -4}, {"step_hole", 0}};
-  for (const auto& [name, points, characteristic] : shapes) {
+  struct Known {
+    std::string name;
+    std::int64_t points;
+    int characteristic;
+  };
+  for (const auto& [name, points, characteristic] :
+       {Known{"cube", 6'000, 2}, Known{"pyramid", 6'000, 2}, Known{"plate3", 26'000, -4},
+        Known{"step_hole", 31'000, 0}}) {
     const JudgedScan scan = judged_shape(name, points, 0, Order::shuffled, 1, 8);
     const ModelRecord record = modelled(scan.parameters, scan.points).record();
     ASSERT_TRUE(scan.topology(record).closed) << name;
