@@ -298,6 +298,9 @@ void dissolve_neighbours(Engine&, Segment&, Segment&);
 void dissolve_all_neighbours(Engine&, Segment&);
 /// Unshares what §2.8 leaves with copies that do not meet: pairs of s and those of its neighbours.
 void unshare_where_ends_part(Engine&, Segment& s);
+/// Neighbours have one type of concavity (thesis §2.2): where a merger has brought two together, the edges of
+/// the shorter one are unshared.
+void keep_one_concavity(Engine&, Segment& s);
 /// The perimeter has been made anew, its edges with their identities: shared edges that did not come along
 /// are unshared.
 void perimeter_made_anew(Engine&, Segment&);

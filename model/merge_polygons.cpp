@@ -148,6 +148,7 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   e.repositioning = false;
   if (were_shared) {
     reposition(e, a);
+    keep_one_concavity(e, a);
     dissolve_disordered(e, a);
   }
   part.initial = a.fit.plane();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "common_line_internal.hpp"
 #include "engine_internal.hpp"
@@ -159,6 +160,26 @@ void unshare_where_ends_part(Engine& e, Segment& s) {
   }
   for (const EdgeId edge : edges)
     if (e.shared.count(edge.value) && !ends_meet(e, edge)) unshare(e, edge);
+}
+
+void keep_one_concavity(Engine& e, Segment& s) {
+  const PolygonPart& part = *s.polygon;
+  for (const std::uint32_t n : neighbours_of(e, s)) {
+    const auto line = common_line(part.plane(), e.at(n).polygon->plane(), part.box.center());
+    if (!line) continue;
+    std::array<double, 2> length{};  // of the concave ones, and of the convex
+    std::array<std::vector<EdgeId>, 2> edges;
+    for (const EdgeId edge : part.shared) {
+      if (across(e, edge).segment != n) continue;
+      const Slot slot = e.shared.at(edge.value).slot;
+      const double along = line->along.dot(part.position(part.perimeter.next(slot)) - part.position(slot));
+      length[along > 0] += std::abs(along);
+      edges[along > 0].push_back(edge);
+    }
+    if (edges[0].empty() || edges[1].empty()) continue;
+    for (const EdgeId edge : edges[length[0] > length[1]])
+      if (e.shared.count(edge.value)) unshare(e, edge);
+  }
 }
 
 void perimeter_made_anew(Engine& e, Segment& s) {
