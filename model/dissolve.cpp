@@ -91,6 +91,7 @@ void release_points(Engine& e, Segment& s, bool count_return) {
     raw.returned += count_return;
     e.pending.push_back(raw);
   }
+  if (s.polygon) dissolve_all_neighbours(e, s);  // first, so that the changes are in order
   e.changes.push_back({Change::Kind::deleted, s.id, {}, {}, {}});
   erase_segment(e, s);
 }

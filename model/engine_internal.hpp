@@ -303,6 +303,9 @@ void dissolve_all_neighbours(Engine&, Segment&);
 /// Unshares, of these edges and those that adjoin their copies, what has been left with ends that do not
 /// meet.
 void unshare_where_ends_part(Engine&, std::span<const geometry::EdgeId> edges);
+/// Neighbours have one type of concavity (thesis §2.2): where a merger has brought `edges` to s, and two
+/// together, those of the shorter one are unshared.
+void keep_one_concavity(Engine&, Segment& s, std::span<const geometry::EdgeId> edges);
 /// The perimeter has been made anew, its edges with their identities: shared edges that did not come along
 /// are unshared.
 void perimeter_made_anew(Engine&, Segment&);

@@ -151,6 +151,7 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   if (!inherited.empty()) {
     reposition(e, a, inherited);
     unshare_where_ends_part(e, std::vector(part.shared));  // of a's own some may have gone
+    keep_one_concavity(e, a, inherited);
     dissolve_disordered(e, a);
   }
   part.initial = a.fit.plane();

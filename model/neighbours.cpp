@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "common_line_internal.hpp"
 #include "engine_internal.hpp"
@@ -128,6 +129,10 @@ BoundaryChange boundary_changed(Engine& e, Segment& s) {
     list_pair(e, edge);
     insert_sorted(part.shared, edge);
   }
+  // All of them are gone before the first is unshared: none is asked where it ends.
+  for (const EdgeId edge : change.removed)
+    if (const auto entry = e.shared.find(edge.value); entry != e.shared.end())
+      entry->second.slot = geometry::kNoSlot;
   for (const EdgeId edge : change.removed)
     if (e.shared.count(edge.value)) unshare(e, edge);
   return change;
@@ -177,6 +182,31 @@ void unshare_where_ends_part(Engine& e, std::span<const EdgeId> edges) {
   }
   for (const EdgeId edge : all)
     if (e.shared.count(edge.value) && !ends_meet(e, edge)) unshare(e, edge);
+}
+
+void keep_one_concavity(Engine& e, Segment& s, std::span<const EdgeId> edges) {
+  const PolygonPart& part = *s.polygon;
+  std::vector<std::uint32_t> neighbours;
+  for (const EdgeId edge : edges)
+    if (e.shared.count(edge.value)) neighbours.push_back(across(e, edge).segment);
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  for (const std::uint32_t n : neighbours) {
+    const auto line = common_line(part.plane(), e.at(n).polygon->plane(), part.box.center());
+    if (!line) continue;
+    std::array<double, 2> length{};  // of the concave ones, and of the convex
+    std::array<std::vector<EdgeId>, 2> kinds;
+    for (const EdgeId shared : edges_between(e, s, e.at(n))) {
+      const EdgeId edge = s.slot < n ? shared : e.shared.at(shared.value).partner;
+      const Slot slot = e.shared.at(edge.value).slot;
+      const double along = line->along.dot(part.position(part.perimeter.next(slot)) - part.position(slot));
+      length[along > 0] += std::abs(along);
+      kinds[along > 0].push_back(edge);
+    }
+    if (kinds[0].empty() || kinds[1].empty()) continue;
+    for (const EdgeId edge : kinds[length[0] > length[1]])
+      if (e.shared.count(edge.value)) unshare(e, edge);
+  }
 }
 
 void perimeter_made_anew(Engine& e, Segment& s) {

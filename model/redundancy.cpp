@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Deleting redundant segments (thesis §2.9): small ones between others, that merge with none of them and find no
-// edge to share. Their data goes where it still fits.
+// Deleting redundant segments (thesis §2.9): small ones between others, that merge with none of them and find
+// no edge to share. Their data goes where it still fits.
 #include <algorithm>
 
 #include <limpet/geometry/predicates.hpp>
@@ -33,7 +33,8 @@ bool lies_on_others(Engine& e, const Segment& s) {
   e.polygons.query(part.box, e.found);
   std::vector<const Segment*> others;
   for (const std::uint32_t slot : e.found)
-    if (const Segment& other = e.at(slot); other.moments.count() > s.moments.count()) others.push_back(&other);
+    if (const Segment& other = e.at(slot); other.moments.count() > s.moments.count())
+      others.push_back(&other);
   for (std::uint32_t i = 0; i < part.perimeter.slot_count(); ++i) {
     if (!part.perimeter.alive(Slot{i})) continue;
     const Eigen::Vector3d p = part.position(Slot{i});
@@ -54,14 +55,15 @@ std::pair<Segment*, Standing> best_for(Engine& e, const Segment& but, const Eige
   for (const std::uint32_t slot : e.found) {
     Segment& other = e.at(slot);
     if (&other == &but) continue;
-    const Standing st = standing(e, other, p, axis, data.squared_residual(other.fit.plane(), e.step), variance);
+    const Standing st =
+        standing(e, other, p, axis, data.squared_residual(other.fit.plane(), e.step), variance);
     if (st.near && (!best.first || st.distance2 < best.second.distance2)) best = {&other, st};
   }
   return best;
 }
 
-/// Deletes the segment; its data goes to a segment that it fits as a whole, else its points go, one by one, to
-/// those that they fit. What fits nowhere is given up.
+/// Deletes the segment; its data goes to a segment that it fits as a whole, else its points go, one by one,
+/// to those that they fit. What fits nowhere is given up.
 void delete_segment(Engine& e, Segment& s) {
   dissolve_all_neighbours(e, s);
   if (s.moments.count() > 0)
@@ -74,7 +76,8 @@ void delete_segment(Engine& e, Segment& s) {
   erase_segment(e, s);
   for (const RawPoint& point : raw) {
     const Segment none;
-    const auto [other, st] = best_for(e, none, e.world(point.at), point.axis, Moments(point.at), point.variance);
+    const auto [other, st] =
+        best_for(e, none, e.world(point.at), point.axis, Moments(point.at), point.variance);
     if (!(other && merge_point_into_polygon(e, *other, point, st))) ++lost;
   }
   e.counts.expired += lost;
@@ -100,7 +103,8 @@ bool delete_redundant(Engine& e) {
   bool any = false;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Segment* s = e.find(ids[i]);
-    if (!s || !s->polygon || !s->polygon->shared.empty() || (i >= by_count && !lies_on_others(e, *s))) continue;
+    if (!s || !s->polygon || !s->polygon->shared.empty() || (i >= by_count && !lies_on_others(e, *s)))
+      continue;
     ++(i < by_count ? e.counts.redundant_by_count : e.counts.redundant_by_position);
     delete_segment(e, *s);
     any = true;

@@ -155,7 +155,8 @@ TopologyReport judge_topology(const model::ModelRecord& record, const Mesh& trut
   for (auto& loops : of_truth)
     for (SideLoop& loop : loops) loop = with_open_sides_joined(loop);
   auto of_model = side_loops(record);
-  std::vector<int> face_of(of_model.size(), -2);  // of each polygon; −2: of none
+  std::vector<int> face_of(of_model.size());  // of each polygon; one below −1, its own, if of none
+  for (std::size_t p = 0; p < face_of.size(); ++p) face_of[p] = -2 - static_cast<int>(p);
   for (const auto& p : faces.polygons)
     if (!p.extra) face_of[static_cast<std::size_t>(p.polygon)] = p.face;
   report.closed = !of_model.empty();
@@ -181,9 +182,6 @@ TopologyReport judge_topology(const model::ModelRecord& record, const Mesh& trut
       report.faults.push_back("face " + std::to_string(f) + " has no polygon");
       continue;
     }
-    for (const SideLoop& loop : *polygon_of[f])
-      for (const int beyond : loop.beyond)
-        if (beyond != -1) shared.insert(std::minmax(face, beyond));
     const Alignment a = align(of_truth[f], *polygon_of[f]);
     report.faces += a.found;
     report.vertex_distance = std::max(report.vertex_distance, a.distance);
@@ -194,6 +192,10 @@ TopologyReport judge_topology(const model::ModelRecord& record, const Mesh& trut
     for (const SideLoop& loop : *polygon_of[f]) fault += " " + described(loop);
     report.faults.push_back(std::move(fault));
   }
+  for (std::size_t p = 0; p < of_model.size(); ++p)
+    for (const SideLoop& loop : of_model[p])
+      for (const int beyond : loop.beyond)
+        if (beyond != -1) shared.insert(std::minmax(face_of[p], beyond));
   report.true_shared = static_cast<int>(neighbours.size());
   for (const auto& pair : shared) (neighbours.count(pair) ? report.shared : report.false_shared) += 1;
   report.isomorphic = report.faces == static_cast<int>(of_truth.size()) && of_model.size() == of_truth.size();
