@@ -283,6 +283,8 @@ SharedEdge& across(Engine&, geometry::EdgeId);
 /// The edges that two segments share: the copies on the one in the lower slot. Empty if they are no
 /// neighbours.
 std::span<const geometry::EdgeId> edges_between(const Engine&, const Segment&, const Segment&);
+/// Fills Engine::neighbour_edges from Engine::shared.
+void list_all_pairs(Engine&);
 /// Edge a of one segment and edge b of the other are a corresponding pair from now on. Both are in their
 /// perimeters, or will be before boundary_changed() of their segments is called.
 void pair_edges(Engine&, Segment& of_a, geometry::EdgeId a, Segment& of_b, geometry::EdgeId b);

@@ -101,6 +101,10 @@ std::span<const EdgeId> edges_between(const Engine& e, const Segment& a, const S
                                           : std::span<const EdgeId>(entry->second);
 }
 
+void list_all_pairs(Engine& e) {
+  for (const auto& [edge, entry] : e.shared) list_pair(e, {edge});
+}
+
 void pair_edges(Engine& e, Segment& of_a, EdgeId a, Segment& of_b, EdgeId b) {
   e.shared[a.value] = {of_a.slot, geometry::kNoSlot, b};
   e.shared[b.value] = {of_b.slot, geometry::kNoSlot, a};

@@ -167,6 +167,7 @@ void from_record(Engine& e, const ModelRecord& r) {
   }
   for (const PolygonSegmentRecord& p : r.polygon_segments) polygon_from(e, p);
   require_partners(e);
+  list_all_pairs(e);
 }
 
 }  // namespace limpet::model::internal
