@@ -16,6 +16,7 @@
 #include <limpet/io/mesh_writer.hpp>
 #include <limpet/io/text.hpp>
 #include <limpet/model/model.hpp>
+#include <limpet/simulation/mesh.hpp>
 #include <optional>
 
 namespace limpet::app {
@@ -120,6 +121,14 @@ model::Parameters choose_parameters(const ModelArguments& args, PointStream& sca
   return parameters;
 }
 
+/// The planar faces of a mesh.
+std::vector<model::InitialFace> initial_faces(const std::string& path) {
+  std::vector<model::InitialFace> result;
+  for (const simulation::Face& face : simulation::faces_of(simulation::load_mesh(path)))
+    result.push_back({face.loops});
+  return result;
+}
+
 /// A scan that says no axes gets them from its own shape, which can only be a guess.
 void orient(PointStream& scan, const ModelArguments& args, LookAhead& ahead, double resolution) {
   const Estimate& found = ahead.estimate();
@@ -171,6 +180,7 @@ class Run {
     if (axes_guessed_) orient(scan_, args_, ahead, parameters.resolution);
     noise_ = {parameters.noise, parameters.noise_per_range, parameters.noise_per_range2};
     model::Model model = make_model(parameters);
+    if (!args_.initial.empty()) add_initial(model);
     if (!args_.labels.empty()) model.keep_labels();
     read_all(model, ahead.points());
     const model::ModelRecord record = model.record();
@@ -189,6 +199,14 @@ class Run {
       return model::Model(parameters);
     } catch (const std::invalid_argument& error) {
       throw UsageError(error.what());
+    }
+  }
+
+  void add_initial(model::Model& model) const {
+    try {
+      model.add_initial(initial_faces(args_.initial));
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(args_.initial + ": " + error.what());
     }
   }
 

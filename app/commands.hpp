@@ -36,6 +36,7 @@ struct ModelArguments {
   std::string json;
   std::int64_t check_every = 0;  ///< sets; 0: the final model only
   int stages = 0;                ///< models to keep along the way
+  std::string initial;           ///< a mesh of faces known beforehand
   bool open = false;             ///< no shared edges, no corner vertices
   bool quiet = false;
 };

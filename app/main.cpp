@@ -77,6 +77,8 @@ void add_model(CLI::App& root, Command& chosen) {
                   [args](const std::string& text) { args->viewpoint = parse_vector("--viewpoint", text); });
   app.add_flag("--orient", args->orient, "Find that side by neighbours, whatever the scan says of it")
       ->excludes(viewpoint);
+  app.add_option("--initial", args->initial, "Faces known beforehand: they share edges, and stay as they are")
+      ->type_name("MESH");
   app.add_flag("--open", args->open, "Leave all edges open: no shared edges, no corner vertices");
   text_option(app, "--rules", "RULES", "Update rules: limpet, thesis, names to keep, or -names to leave out",
               [args](const std::string& text) {

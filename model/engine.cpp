@@ -142,7 +142,7 @@ void count_area(Engine& e, PolygonPart& part) {
 
 void description_changed(Engine& e, Segment& s, const Places& where) {
   ++s.polygon->shape;
-  count_area(e, *s.polygon);
+  if (!s.initial()) count_area(e, *s.polygon);
   s.polygon->changed.add(where);
   if (e.parameters.neighbours && (e.finishing || !s.young())) s.polygon->unshared.add(where);
   mark_modified(e, s);

@@ -95,7 +95,9 @@ struct alignas(64) Segment {
     return variance_sum / static_cast<double>(std::max<std::int64_t>(moments.count(), 1));
   }
   bool young() const { return !raw.empty(); }
-  bool mature_polygon() const { return polygon && !young(); }
+  /// Known beforehand (thesis §4.3): represents no points.
+  bool initial() const { return polygon && moments.count() == 0; }
+  bool mature_polygon() const { return polygon && !young() && !initial(); }
 };
 
 struct Engine {
@@ -338,6 +340,9 @@ void reposition(Engine&, Segment& s, std::vector<geometry::EdgeId> edges);
 
 // fissures.cpp: §2.5 and step 3
 bool fill_modified(Engine&);
+
+// initial.cpp: §4.3
+void add_initial(Engine&, std::size_t number, const InitialFace&);
 
 // voids.cpp: holes that chance alone explains
 /// Would chance alone leave this area empty between k of m points of which there are `density` to a unit of

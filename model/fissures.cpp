@@ -27,7 +27,7 @@ bool fill(Engine& e, Segment& s) {
 bool fill_modified(Engine& e) {
   bool any = false;
   for (const std::uint32_t slot : e.modified)
-    if (e.segments[slot] && e.segments[slot]->polygon) any |= fill(e, e.at(slot));
+    if (e.segments[slot] && e.segments[slot]->polygon && !e.at(slot).initial()) any |= fill(e, e.at(slot));
   return any;
 }
 

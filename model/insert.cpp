@@ -23,6 +23,7 @@ void order(const Engine& e, std::vector<Candidate>& candidates) {
 
 void add_polygon(const Engine& e, Segment& s, const Eigen::Vector3d& p, const Eigen::Vector3d& axis,
                  double residual2, double variance, std::vector<Candidate>& candidates) {
+  if (s.initial()) return;
   const Standing st = standing(e, s, p, axis, residual2, variance);
   if (st.near) candidates.push_back({st.distance2, s.id, &s, st});
 }

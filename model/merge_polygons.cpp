@@ -98,6 +98,7 @@ geometry::Merger merge_perimeters(Engine& e, geometry::Polygon& a, const geometr
 bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   const bool first_larger = s1.polygon->perimeter.edge_count() >= s2.polygon->perimeter.edge_count();
   Segment &a = first_larger ? s1 : s2, &b = first_larger ? s2 : s1;
+  if (a.initial() || b.initial()) return false;
   if (!within(a.polygon->box, b.polygon->box, e.parameters.resolution) || !planes_agree(e, a, b) ||
       remembered_as_refused(e, a, b) || !may_meet_where_changed(e, s1, s2))
     return false;

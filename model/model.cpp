@@ -28,6 +28,10 @@ Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 Model& Model::operator=(Model&&) noexcept = default;
 
+void Model::add_initial(std::span<const InitialFace> faces) {
+  for (std::size_t i = 0; i < faces.size(); ++i) internal::add_initial(state_->engine, i, faces[i]);
+}
+
 const std::vector<Change>& Model::update(std::span<const SensorPoint> set) {
   internal::update_set(state_->engine, set);
   return state_->engine.changes;

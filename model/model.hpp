@@ -31,6 +31,12 @@ struct Parameters {
   Rules rules;
 };
 
+/// A face known beforehand, in the world, scan's unit: cycles with the interior on the left as seen from
+/// outside, the outer one first, then the holes. Flat to within λ.
+struct InitialFace {
+  std::vector<std::vector<Eigen::Vector3d>> cycles;
+};
+
 /// Counts over the life of a model.
 struct Counts {
   std::int64_t points = 0;   ///< sensor points accepted
@@ -61,6 +67,11 @@ class Model {
   ~Model();
   Model(Model&&) noexcept;
   Model& operator=(Model&&) noexcept;
+
+  /// Initial model segments (thesis §4.3): they represent no points, merge with nothing and are never
+  /// modified, but share edges and corners with what is modelled. Throws std::invalid_argument when a face
+  /// has no area or is no simple polygon; those before it stay.
+  void add_initial(std::span<const InitialFace> faces);
 
   /// One set of sensor points, the unit of an update (thesis §2.3). Readings that are no point (coordinates
   /// not finite, no axis, or beyond 2^48 grid steps) are counted and left out. The changes are valid until

@@ -70,6 +70,7 @@ bool differs_from_initial(const Engine& e, const PolygonPart& part, const Fit& f
 }
 
 void refit(Engine& e, Segment& s) {
+  if (s.initial()) return;
   s.fit = fit_to(s.moments, e.step, -s.fit.normal);
   s.next_fit = s.moments.count() + 1 + s.moments.count() / 32;
   if (!s.polygon) return;

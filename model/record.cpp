@@ -111,8 +111,12 @@ void polygon_from(Engine& e, const PolygonSegmentRecord& r) {
   shared_from(e, s, r);
   part.box = perimeter_box(part);
   e.modelled_points += s.moments.count();
-  count_area(e, part);
-  s.fit = fit_to(s.moments, e.step, -part.published.plane(part.chart).normal);
+  if (s.initial()) {
+    s.fit.centroid = part.plane().point, s.fit.normal = part.plane().normal;
+  } else {
+    count_area(e, part);
+    s.fit = fit_to(s.moments, e.step, -part.plane().normal);
+  }
   s.next_fit = s.moments.count() + 1 + s.moments.count() / 32;
   update_index(e, s);
 }

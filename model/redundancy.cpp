@@ -54,7 +54,7 @@ std::pair<Segment*, Standing> best_for(Engine& e, const Segment& but, const Eige
             [&](std::uint32_t a, std::uint32_t b) { return e.at(a).id < e.at(b).id; });
   for (const std::uint32_t slot : e.found) {
     Segment& other = e.at(slot);
-    if (&other == &but) continue;
+    if (&other == &but || other.initial()) continue;
     const Standing st =
         standing(e, other, p, axis, data.squared_residual(other.fit.plane(), e.step), variance);
     if (st.near && (!best.first || st.distance2 < best.second.distance2)) best = {&other, st};
