@@ -1,0 +1,112 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Initial model segments (thesis §4.3): what was known beforehand closes what a scan from one side leaves open.
+#include <gtest/gtest.h>
+
+#include "judged_scan.hpp"
+
+namespace limpet::model {
+namespace {
+
+using namespace testing;
+
+/// A unit cube seen from one corner: three faces.
+JudgedScan one_sided(Order order) {
+  simulation::ScanOptions options;
+  options.points = 20'000;
+  options.order = order;
+  options.viewpoints = {Vector3d(3, 2.5, 2.2)};
+  return judged_scan(simulation::make_scene("cube").mesh, 0.05, 0.002, options);
+}
+
+/// Faces of the truth that no point was scanned on.
+std::vector<InitialFace> unseen_faces(const JudgedScan& scan) {
+  std::vector<char> seen(static_cast<std::size_t>(scan.truth.face_count));
+  for (const auto& p : scan.labelled)
+    if (p.face >= 0) seen[static_cast<std::size_t>(p.face)] = 1;
+  std::vector<InitialFace> faces;
+  const auto all = simulation::faces_of(scan.truth);
+  for (std::size_t f = 0; f < all.size(); ++f)
+    if (!seen[f]) faces.push_back({all[f].loops});
+  return faces;
+}
+
+Model modelled_with(const JudgedScan& scan, const std::vector<InitialFace>& faces) {
+  Model model(scan.parameters);
+  model.add_initial(faces);
+  feed(model, scan.points);
+  model.finish();
+  return model;
+}
+
+bool represents_points(const PolygonSegmentRecord& s) { return s.moments.count > 0; }
+
+class InitialSegments : public ::testing::TestWithParam<Order> {};
+
+TEST_P(InitialSegments, CloseWhatIsSeenFromOneSide) {
+  const JudgedScan scan = one_sided(GetParam());
+  const auto unseen = unseen_faces(scan);
+  ASSERT_EQ(unseen.size(), 3u);
+
+  const ModelRecord open = watched(scan.parameters, scan.points, 50).record();
+  EXPECT_EQ(open.polygon_segments.size(), 3u);
+  EXPECT_FALSE(scan.topology(open).closed) << "what was not seen may not be closed";
+  EXPECT_EQ(scan.topology(open).false_shared, 0);
+
+  const ModelRecord closed = modelled_with(scan, unseen).record();
+  EXPECT_EQ(broken_laws(closed), "");
+  ASSERT_EQ(closed.polygon_segments.size(), 6u);
+  EXPECT_EQ(partners_of(closed).size(), 24u) << "twelve edges, each shared, and no open one";
+}
+
+TEST_P(InitialSegments, ArePlanesThatStayAndRepresentNothing) {
+  const JudgedScan scan = one_sided(GetParam());
+  const auto unseen = unseen_faces(scan);
+  Model alone(scan.parameters);
+  alone.add_initial(unseen);
+  const ModelRecord before = alone.record(), after = modelled_with(scan, unseen).record();
+  EXPECT_EQ(broken_laws(before), "");
+  ASSERT_EQ(before.polygon_segments.size(), unseen.size());
+  for (const auto& s : before.polygon_segments) {
+    EXPECT_FALSE(represents_points(s));
+    const auto same = std::find_if(after.polygon_segments.begin(), after.polygon_segments.end(),
+                                   [&](const auto& other) { return other.id == s.id; });
+    ASSERT_NE(same, after.polygon_segments.end());
+    EXPECT_FALSE(represents_points(*same));
+    EXPECT_EQ(same->chart_origin, s.chart_origin);
+    EXPECT_EQ(same->chart_normal, s.chart_normal);
+    EXPECT_EQ(same->height, s.height);
+  }
+  EXPECT_EQ(bytes(Model(after).record()), bytes(after)) << "and are read again as what they are";
+}
+
+/// Points on a face that is known make a segment of their own: with no data to merge, nothing can tell.
+TEST_P(InitialSegments, DoNotMergeWithWhatIsFelt) {
+  const JudgedScan scan = one_sided(GetParam());
+  std::vector<InitialFace> all;
+  for (const auto& face : simulation::faces_of(scan.truth)) all.push_back({face.loops});
+  const ModelRecord record = modelled_with(scan, all).record();
+  EXPECT_EQ(broken_laws(record), "");
+  EXPECT_EQ(std::count_if(record.polygon_segments.begin(), record.polygon_segments.end(), represents_points), 3);
+  EXPECT_EQ(record.polygon_segments.size(), 9u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Orders, InitialSegments, ::testing::Values(Order::raster, Order::shuffled),
+                         [](const auto& test) { return test.index == 0 ? "raster" : "shuffled"; });
+
+TEST(InitialFaces, ThatAreNoneAreRefused) {
+  Model model(of_resolution(0.1));
+  const auto refused = [&](const std::vector<Vector3d>& cycle) {
+    const InitialFace face{{cycle}};
+    EXPECT_THROW(model.add_initial(std::span(&face, 1)), std::invalid_argument);
+  };
+  refused({});
+  refused({{0, 0, 0}, {1, 0, 0}});
+  refused({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+  refused({{0, 0, 0}, {3, 0, 0}, {0, 1, 0}, {3, 2, 0}});  // crosses itself
+  refused({{0, 0, 0}, {1, 0, 0}, {1, std::nan(""), 0}});
+  EXPECT_EQ(model.record().polygon_segments.size(), 0u);
+}
+
+}  // namespace
+}  // namespace limpet::model
