@@ -27,9 +27,17 @@ bool lies_on(const Engine& e, const Segment& other, const Eigen::Vector3d& p, co
   return geometry::nearest_perimeter_point(part.perimeter, q, left).has_value();
 }
 
-/// By position: do all vertices lie within λ of surfaces of larger segments?
+/// A patch or a sliver: what is larger, and wider, is a surface of its own however near others are.
+bool is_small(const Engine& e, const PolygonPart& part) {
+  const double area = part.perimeter.area() / (e.gap * e.gap),
+               length = part.box.diagonal().norm() / e.parameters.resolution;
+  return area < kYoungArea || area < 1.5 * length;
+}
+
+/// By position: do all vertices of a small segment lie within λ of surfaces of larger ones?
 bool lies_on_others(Engine& e, const Segment& s) {
   const PolygonPart& part = *s.polygon;
+  if (!is_small(e, part)) return false;
   e.polygons.query(part.box, e.found);
   std::vector<const Segment*> others;
   for (const std::uint32_t slot : e.found)

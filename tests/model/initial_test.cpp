@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Initial model segments (thesis §4.3): what was known beforehand closes what a scan from one side leaves open.
+// Initial model segments (thesis §4.3): what was known beforehand closes what a scan from one side leaves
+// open.
 #include <gtest/gtest.h>
 
 #include "judged_scan.hpp"
@@ -87,7 +88,8 @@ TEST_P(InitialSegments, DoNotMergeWithWhatIsFelt) {
   for (const auto& face : simulation::faces_of(scan.truth)) all.push_back({face.loops});
   const ModelRecord record = modelled_with(scan, all).record();
   EXPECT_EQ(broken_laws(record), "");
-  EXPECT_EQ(std::count_if(record.polygon_segments.begin(), record.polygon_segments.end(), represents_points), 3);
+  EXPECT_EQ(std::count_if(record.polygon_segments.begin(), record.polygon_segments.end(), represents_points),
+            3);
   EXPECT_EQ(record.polygon_segments.size(), 9u);
 }
 
