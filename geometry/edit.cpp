@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // Working out what a change of a polygon's boundary takes away and puts in place, and making it.
+#include <algorithm>
+
 #include <limpet/geometry/predicates.hpp>
 
 #include "edit_internal.hpp"
@@ -122,6 +124,9 @@ void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
   static thread_local std::vector<CycleId> freed;
   freed = edit.removed_cycles;
   for (const Chain& c : edit.chains) freed.push_back(node(c.from).cycle);
+  joins_ += std::any_of(edit.chains.begin(), edit.chains.end(), [&](const Chain& c) {
+    return node(c.from).cycle != node(edit.chains.front().from).cycle;
+  });
   for (const Slot s : d.removed_vertices) free_node(s);
 
   static thread_local std::vector<Slot> touched;  // slots whose edge is new

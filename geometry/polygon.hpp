@@ -127,6 +127,8 @@ class Polygon {
 
   /// Counts boundary changes.
   std::uint64_t version() const { return version_; }
+  /// Counts those of them that may have made one cycle of two.
+  std::uint64_t joins() const { return joins_; }
 
  private:
   Slot add_node(const NewVertex&, CycleId, EdgeIds&);
@@ -160,7 +162,7 @@ class Polygon {
   EdgeIndex index_;
   std::vector<EdgeId> removed_;
   std::vector<std::pair<Slot, EdgeId>> created_;
-  std::uint64_t version_ = 0;
+  std::uint64_t version_ = 0, joins_ = 0;
   mutable std::uint32_t stamp_ = 0;
 };
 

@@ -107,6 +107,7 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   auto other = in_chart_of(e, part.chart, *b.polygon);
   if (!other) return remember_refusal(e, a, b), false;
   other->take_created();
+  const std::uint64_t joins_before = part.perimeter.joins();
   const auto merger = merge_perimeters(e, part.perimeter, *other);
   if (merger == geometry::Merger::too_far || merger == geometry::Merger::refused)
     return remember_refusal(e, a, b), false;
@@ -153,8 +154,12 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
     reposition(e, a, inherited);
     unshare_where_ends_part(e, std::vector(part.shared));  // of a's own some may have gone
     keep_one_concavity(e, a, inherited);
-    dissolve_disordered(e, a);
+    // Who had one edge with each of the two, and others between them, has them in disorder now.
+    for (const geometry::EdgeId edge : inherited)
+      if (e.shared.count(edge.value)) dissolve_disordered(e, e.at(across(e, edge).segment));
   }
+  // Cycles that have become one may be in order each, and not together.
+  if (!inherited.empty() || part.perimeter.joins() != joins_before) dissolve_disordered(e, a);
   part.initial = a.fit.plane();
   description_changed(e, a, where);
   update_index(e, a);
