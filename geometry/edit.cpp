@@ -171,7 +171,7 @@ void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
     label_cycles(edit, d, freed, loop_starts);
   }
   ++version_;
-  if (!index_.fits(box_, edge_count_)) return rebuild_index();
+  if (!index_.fits(box_, index_size())) return rebuild_index();
   if (!index_.active()) return;
   for (const Slot s : touched) index_.add(static_cast<std::uint32_t>(s), at(s), end(s));
   index_.flip(d.sweep);

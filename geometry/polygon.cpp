@@ -150,8 +150,8 @@ void Polygon::rebuild_index() {
       all.emplace_back(n.at, at(n.next));
     }
   index_.clear();
-  if (edge_count_ < EdgeIndex::kMinimum) return;
-  index_.reset(box_, edge_count_);
+  if (index_size() < EdgeIndex::kMinimum) return;
+  index_.reset(box_, index_size());
   for (std::uint32_t i = 0; i < nodes_.size(); ++i)
     if (nodes_[i].edge) index_.add(i, nodes_[i].at, at(nodes_[i].next));
   index_.flip(all);

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -136,6 +137,11 @@ class Polygon {
   void relabel(Slot first, CycleId, bool hole);
   CycleId add_cycle();
   void rebuild_index();
+  /// How many edges the index is for. Where many slots are free, looking at all of them would cost more.
+  std::size_t index_size() const {
+    return nodes_.size() <= 2 * EdgeIndex::kMinimum ? edge_count_
+                                                    : std::max(edge_count_, EdgeIndex::kMinimum);
+  }
   /// What an edit takes away and puts in place, worked out once for the judge and once for the commit.
   struct Difference;
   struct Run;
