@@ -14,13 +14,16 @@ namespace {
 
 using geometry::Slot;
 
-/// Is a point of a segment with this normal within λ of the other's surface, on the same side of it? A thin
-/// plate has a back.
+constexpr double kSameWay = 0.5;  ///< cosine of 60°
+
+/// Is a point of a segment with this normal within λ of the other's surface, facing about the same way? A
+/// thin plate has a back, and the perimeter of a small face of a box lies all on the faces around it; a
+/// sliver across an edge turns by half of the angle there.
 bool lies_on(const Engine& e, const Segment& other, const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
   const PolygonPart& part = *other.polygon;
   const double lambda2 = e.parameters.resolution * e.parameters.resolution;
   const double height = part.plane().height_of(p);
-  if (part.outward.dot(normal) <= 0 || height * height >= lambda2) return false;
+  if (part.outward.dot(normal) <= kSameWay || height * height >= lambda2) return false;
   const geometry::Point2 q = geometry::round_to_grid(part.chart.project(p));
   if (part.perimeter.locate(q) != geometry::Polygon::Side::outside) return true;
   const double left = std::sqrt((lambda2 - height * height) / lambda2) * e.gap;
