@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -134,8 +135,9 @@ struct Engine {
   std::unordered_map<std::uint64_t, SharedEdge> shared;  ///< by the edge's identity
   /// Of each pair of neighbours, by pair_key(), the copies on the one that is in the lower slot, ascending.
   std::unordered_map<std::uint64_t, std::vector<geometry::EdgeId>> neighbour_edges;
-  std::vector<SegmentId> redundant;  ///< found so by step 4, to be deleted behind it
-  bool repositioning = false;        ///< the ends of copies may be apart for the moment
+  std::vector<SegmentId> redundant;                      ///< found so by step 4, to be deleted behind it
+  std::set<std::pair<SegmentId, SegmentId>> disordered;  ///< dissolved: not tried again before the next set
+  bool repositioning = false;                            ///< the ends of copies may be apart for the moment
   bool finishing = false;
   double section_reach = 1;  ///< λ: how far a section that gives way to a shared edge may be from it
   double least_shared = 2;   ///< λ: no shorter edge makes two segments neighbours

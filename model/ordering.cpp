@@ -72,6 +72,12 @@ std::optional<std::uint32_t> locally_disordered(Engine& e, const SharedCycle& cy
   return std::nullopt;
 }
 
+/// No further edges are shared between the two until the next set (§2.6).
+void dissolve_pair(Engine& e, Segment& a, Segment& b) {
+  e.disordered.insert(std::minmax(a.id, b.id));
+  dissolve_neighbours(e, a, b);
+}
+
 bool dissolve_first_disorder(Engine& e, Segment& s) {
   const auto& perimeter = s.polygon->perimeter;
   for (const auto& cycle : perimeter.cycles()) {
@@ -79,12 +85,12 @@ bool dissolve_first_disorder(Engine& e, Segment& s) {
     const SharedCycle shared = shared_on(e, perimeter, cycle);
     if (shared.edges.size() < 3) continue;
     if (const auto other = locally_disordered(e, shared)) {
-      dissolve_neighbours(e, s, e.at(*other));
+      dissolve_pair(e, s, e.at(*other));
       return true;
     }
     if (const auto both = globally_disordered(shared)) {
-      dissolve_neighbours(e, s, e.at(both->first));
-      dissolve_neighbours(e, s, e.at(both->second));
+      dissolve_pair(e, s, e.at(both->first));
+      dissolve_pair(e, s, e.at(both->second));
       return true;
     }
   }

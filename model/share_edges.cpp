@@ -384,7 +384,7 @@ std::vector<LineWindow> changed_windows(const Engine& e, const CommonLine& line,
 
 bool share_pair(Engine& e, Segment& a, Segment& b, const Places& places) {
   const geometry::Plane pa = a.polygon->plane(), pb = b.polygon->plane();
-  if (pa.normal.dot(pb.normal) >= e.cos_angle) return false;
+  if (pa.normal.dot(pb.normal) >= e.cos_angle || e.disordered.count(std::minmax(a.id, b.id))) return false;
   const Box3 both(a.polygon->box.min().cwiseMax(b.polygon->box.min()),
                   a.polygon->box.max().cwiseMin(b.polygon->box.max()));
   const auto line = common_line(pa, pb, (both.min() + both.max()) / 2);

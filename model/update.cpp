@@ -134,6 +134,7 @@ void mark_all(Engine& e) {
 }
 
 void until_nothing_changes(Engine& e) {
+  e.disordered.clear();
   for (int round = 0; round < kMaxFinishRounds; ++round) {
     const bool any = mergers_and_fissures(e) || drop_all_chance_holes(e) || shared_edges_and_corners(e);
     clear_flags(e);
@@ -161,6 +162,7 @@ void close_what_is_open(Engine& e) {
 
 void update_set(Engine& e, std::span<const SensorPoint> set) {
   e.changes.clear();
+  e.disordered.clear();
   e.stage_clock.start();
   insert_readings(e, set);
   e.stage_clock.lap(&StageTimes::insertion);
