@@ -19,7 +19,6 @@ using geometry::Slot;
 
 constexpr std::size_t kMaxRing = 64;  ///< segments around one corner
 constexpr int kMaxOpenEdges = 64;     ///< between two shared edges that may meet in a corner
-constexpr double kLeastSteps = 16;    ///< grid steps: a corner leaves no shared edge shorter
 
 /// What one segment of the ring gives up for its corner vertex: the stretch P between two shared edges that
 /// follow each other.
@@ -126,7 +125,7 @@ bool corner_fits(Engine& e, RingPart& part) {
   const Point2 u = polygon.perimeter.at(part.before), w = polygon.perimeter.end(part.after);
   const Point2 d1 = polygon.perimeter.end(part.before) - u, d2 = w - polygon.perimeter.at(part.after);
   const auto keeps = [](Point2 direction, Point2 now) {
-    return dot(direction, now) > kLeastSteps * std::sqrt(squared_length(direction));
+    return dot(direction, now) > kLeastSharedSteps * std::sqrt(squared_length(direction));
   };
   return keeps(d1, part.corner - u) && keeps(d2, w - part.corner);
 }
@@ -156,7 +155,7 @@ bool copies_overlap(Engine& e, const std::vector<RingPart>& ring) {
                           corner_b = b.chart.at(next.corner, b.published(next.corner)),
                           far_b = b.position(next.before);
     const Eigen::Vector3d along = far_a - corner_a;
-    const double least = kLeastSteps * e.step * std::sqrt(along.dot(along));
+    const double least = kLeastSharedSteps * e.step * std::sqrt(along.dot(along));
     const double begin = std::max(0.0, along.dot(corner_b - corner_a)),
                  end = std::min(along.dot(along), along.dot(far_b - corner_a));
     if (end - begin < least) return false;
@@ -183,16 +182,7 @@ bool form_corner(Engine& e, std::vector<RingPart>& ring) {
     s.polygon->perimeter.commit(edits[i], e.edge_ids);
     formed_change.edges.push_back(s.polygon->perimeter.node(ring[i].before).edge);
   }
-  for (const RingPart& part : ring) {
-    Segment& s = *part.segment;
-    const BoundaryChange change = boundary_changed(e, s);
-    const Places where = places_of(*s.polygon, change.created);
-    for (const Box3& place : where.boxes()) s.polygon->box.extend(place);
-    description_changed(e, s, where);
-    update_index(e, s);
-    if (!change.removed.empty())
-      e.changes.push_back({Change::Kind::edges_removed, {}, {}, s.id, change.removed});
-  }
+  for (const RingPart& part : ring) perimeter_changed(e, *part.segment);
   e.changes.push_back(std::move(formed_change));
   return true;
 }

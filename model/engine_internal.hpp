@@ -300,6 +300,10 @@ struct BoundaryChange {
   std::vector<std::pair<geometry::Slot, geometry::EdgeId>> created;
 };
 BoundaryChange boundary_changed(Engine&, Segment&);
+/// boundary_changed(), and all that follows from where the perimeter is now.
+void perimeter_changed(Engine&, Segment&);
+/// Does a vertex join two edges that are shared with different neighbours?
+bool is_corner(Engine&, const Segment&, geometry::Slot vertex);
 /// Unsharing (§2.8): both copies become open edges. Where that leaves the copies of another shared edge with
 /// ends apart, that edge goes the same way.
 void unshare(Engine&, geometry::EdgeId);

@@ -4,7 +4,6 @@
 // every shared edge by identity; coordinates decide nothing here but whether two ends still coincide.
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 #include "common_line_internal.hpp"
@@ -58,14 +57,7 @@ void forget(Engine& e, EdgeId edge) {
   description_changed(e, s, where.extend(part.position(part.perimeter.next(slot))));
 }
 
-/// Does a vertex join two edges that are shared with different neighbours?
-bool is_corner(Engine& e, const Segment& s, Slot vertex) {
-  const auto& perimeter = s.polygon->perimeter;
-  const auto &before = perimeter.node(perimeter.prev(vertex)), &after = perimeter.node(vertex);
-  return before.shared && after.shared && across(e, before.edge).segment != across(e, after.edge).segment;
-}
-
-/// The ends of the pairs that meet a vertex, which is no corner any more, or one on one side only.
+/// Do the ends of the copies meet, but for corners?
 bool ends_meet(Engine& e, EdgeId edge) {
   const SharedEdge &mine = e.shared.at(edge.value), &other = across(e, edge);
   if (mine.slot == geometry::kNoSlot || other.slot == geometry::kNoSlot)
@@ -92,6 +84,12 @@ void adjoining(Engine& e, EdgeId edge, std::vector<EdgeId>& result) {
 }
 
 }  // namespace
+
+bool is_corner(Engine& e, const Segment& s, Slot vertex) {
+  const auto& perimeter = s.polygon->perimeter;
+  const auto &before = perimeter.node(perimeter.prev(vertex)), &after = perimeter.node(vertex);
+  return before.shared && after.shared && across(e, before.edge).segment != across(e, after.edge).segment;
+}
 
 SharedEdge& across(Engine& e, EdgeId edge) { return e.shared.at(e.shared.at(edge.value).partner.value); }
 
@@ -140,6 +138,16 @@ BoundaryChange boundary_changed(Engine& e, Segment& s) {
   for (const EdgeId edge : change.removed)
     if (e.shared.count(edge.value)) unshare(e, edge);
   return change;
+}
+
+void perimeter_changed(Engine& e, Segment& s) {
+  BoundaryChange change = boundary_changed(e, s);
+  const Places where = places_of(*s.polygon, change.created);
+  for (const Box3& place : where.boxes()) s.polygon->box.extend(place);
+  description_changed(e, s, where);
+  update_index(e, s);
+  if (!change.removed.empty())
+    e.changes.push_back({Change::Kind::edges_removed, {}, {}, s.id, std::move(change.removed)});
 }
 
 void unshare(Engine& e, EdgeId edge) {

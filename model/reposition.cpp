@@ -93,11 +93,6 @@ class Repositioning {
     return true;
   }
 
-  /// Do two edges that adjoin lead to different neighbours?
-  bool is_corner(EdgeId edge, EdgeId other, bool other_shared) {
-    return other_shared && across(e_, edge).segment != across(e_, other).segment;
-  }
-
   bool place_ends(EdgeId edge) {
     const SharedEdge &mine = e_.shared.at(edge.value), &theirs = across(e_, edge);
     const EdgeId copy = mine.partner;
@@ -106,15 +101,14 @@ class Repositioning {
     for (const bool begin : {true, false}) {
       const Slot p = begin ? mine.slot : perimeter.next(mine.slot);
       const Slot q = begin ? other.next(theirs.slot) : theirs.slot;
-      const auto& beside_p = perimeter.node(begin ? perimeter.prev(p) : p);
-      const auto& beside_q = other.node(begin ? q : other.prev(q));
-      const bool corner_p = is_corner(edge, beside_p.edge, beside_p.shared);
-      const bool corner_q = is_corner(copy, beside_q.edge, beside_q.shared);
+      const EdgeId beside_p = perimeter.node(begin ? perimeter.prev(p) : p).edge;
+      const EdgeId beside_q = other.node(begin ? q : other.prev(q)).edge;
+      const bool corner_p = is_corner(e_, s_, p), corner_q = is_corner(e_, n, q);
       const Eigen::Vector3d from_p = s_.polygon->position(p);
       // Where neither is a corner, both go to the foot of the same point.
       const Eigen::Vector3d from_q = corner_p || corner_q ? n.polygon->position(q) : from_p;
-      if (!place(s_, p, edge, beside_p.edge, corner_p, from_p) ||
-          !place(n, q, copy, beside_q.edge, corner_q, from_q))
+      if (!place(s_, p, edge, beside_p, corner_p, from_p) ||
+          !place(n, q, copy, beside_q, corner_q, from_q))
         return false;
     }
     return true;
@@ -179,16 +173,7 @@ class Repositioning {
 
   void commit() {
     for (const auto& [segment, edit] : edits_) e_.at(segment).polygon->perimeter.commit(edit, e_.edge_ids);
-    for (const auto& [segment, edit] : edits_) {
-      Segment& t = e_.at(segment);
-      const BoundaryChange change = boundary_changed(e_, t);
-      const Places where = places_of(*t.polygon, change.created);
-      for (const Box3& place : where.boxes()) t.polygon->box.extend(place);
-      description_changed(e_, t, where);
-      update_index(e_, t);
-      if (!change.removed.empty())
-        e_.changes.push_back({Change::Kind::edges_removed, {}, {}, t.id, change.removed});
-    }
+    for (const auto& [segment, edit] : edits_) perimeter_changed(e_, e_.at(segment));
   }
 
   Engine& e_;

@@ -3,7 +3,6 @@
 // Step 4 of the update: forming shared edges (thesis §2.6). A section P of one perimeter and a section Q of
 // the other are extended to a section L of the line where the two planes meet.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -20,7 +19,6 @@ using geometry::Slot;
 
 constexpr int kMaxPairsFormed = 64;  ///< by one look at two segments
 constexpr double kSameSteps = 3;     ///< grid steps: nearer than this a cut is at the vertex itself
-constexpr double kLeastSteps = 16;   ///< grid steps: no shorter edge is formed, nor for less of an open one
 
 /// One side of a pair to be: a chain turned so that places rise along it, and the perimeter it is on.
 struct Side {
@@ -182,7 +180,7 @@ class PairFormer {
     beyond_q_ = beyond_line(chains_q_);
     // At the apex of a pyramid opposite faces come within λ of their common line, too, for about as long.
     const bool neighbours = !edges_between(e, a, b).empty();
-    least_length_ = neighbours ? kLeastSteps * e.step : e.least_shared * e.parameters.resolution;
+    least_length_ = neighbours ? kLeastSharedSteps * e.step : e.least_shared * e.parameters.resolution;
   }
 
   /// Forms the longest pair that can be formed from any two of the chains.
@@ -236,7 +234,7 @@ class PairFormer {
   /// Does another chain lie beyond the line there? Then the segment goes on, and what looks like a border on
   /// L is the far side of a hole.
   bool goes_on_beyond(double begin, double end) const {
-    const double least = kLeastSteps * e_.step;
+    const double least = kLeastSharedSteps * e_.step;
     const auto meets = [&](const std::vector<Beyond>& beyond, std::size_t own) {
       return std::any_of(beyond.begin(), beyond.end(), [&](const Beyond& w) {
         return w.chain != own && std::min(w.end, end) - std::max(w.begin, begin) > least;
@@ -259,7 +257,7 @@ class PairFormer {
   }
 
   bool form_section(double begin, double end) {
-    const double least = kLeastSteps * e_.step;
+    const double least = kLeastSharedSteps * e_.step;
     if (end - begin < least_length_ || goes_on_beyond(begin, end)) return false;
     const auto p = section_of(p_, begin, end), q = section_of(q_, begin, end);
     if (!p || !q) return false;
@@ -298,16 +296,8 @@ class PairFormer {
     a_.polygon->perimeter.commit(edit_p, e_.edge_ids);
     b_.polygon->perimeter.commit(edit_q, e_.edge_ids);
     pair_edges(e_, a_, id_p, b_, id_q);
-    const std::array changes = {std::pair{&a_, boundary_changed(e_, a_)},
-                                std::pair{&b_, boundary_changed(e_, b_)}};
-    for (const auto& [s, change] : changes) {
-      const Places where = places_of(*s->polygon, change.created);
-      for (const Box3& place : where.boxes()) s->polygon->box.extend(place);
-      description_changed(e_, *s, where);
-      update_index(e_, *s);
-      if (!change.removed.empty())
-        e_.changes.push_back({Change::Kind::edges_removed, {}, {}, s->id, change.removed});
-    }
+    perimeter_changed(e_, a_);
+    perimeter_changed(e_, b_);
     e_.changes.push_back({Change::Kind::shared, a_.id, b_.id, {}, {id_p, id_q}});
     formed_edge_ = id_p;
     return true;
