@@ -9,8 +9,8 @@
 
 namespace limpet::model::internal {
 
-/// The copies of a shared edge's end, each rounded in its own chart, may be this many grid steps / sin θ apart
-/// (the oracle allows 4), θ the angle between the planes.
+/// The copies of a shared edge's end, each rounded in its own chart, may be this many grid steps / sin θ
+/// apart (the oracle allows 4), θ the angle between the planes.
 inline constexpr double kEndSteps = 3.5;
 /// Grid steps: no shorter shared edge is formed, nor left by a corner.
 inline constexpr double kLeastSharedSteps = 16;

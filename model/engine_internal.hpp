@@ -137,7 +137,8 @@ struct Engine {
   std::unordered_map<std::uint64_t, std::vector<geometry::EdgeId>> neighbour_edges;
   std::vector<SegmentId> redundant;                      ///< found so by step 4, to be deleted behind it
   std::set<std::pair<SegmentId, SegmentId>> disordered;  ///< dissolved: not tried again before the next set
-  bool repositioning = false;                            ///< the ends of copies may be apart for the moment
+  int ends_held = 0;                                     ///< see with_ends_apart()
+  std::vector<geometry::EdgeId> ends_due;                ///< shared edges whose ends are to be looked at then
   bool finishing = false;
   double section_reach = 1;  ///< λ: how far a section that gives way to a shared edge may be from it
   double least_shared = 2;   ///< λ: no shorter edge makes two segments neighbours
@@ -310,9 +311,20 @@ void unshare(Engine&, geometry::EdgeId);
 /// The two are no neighbours any more.
 void dissolve_neighbours(Engine&, Segment&, Segment&);
 void dissolve_all_neighbours(Engine&, Segment&);
-/// Unshares, of these edges and those that adjoin their copies, what has been left with ends that do not
-/// meet.
-void unshare_where_ends_part(Engine&, std::span<const geometry::EdgeId> edges);
+/// Notes these edges, and those that adjoin their copies, to be looked at when ends meet again.
+void note_ends(Engine&, std::span<const geometry::EdgeId> edges);
+/// Unshares, of the edges noted, those with copies whose ends do not meet.
+void unshare_where_ends_part(Engine&);
+/// Does something that leaves the ends of copies apart for the moment: planes move, edges change hands. What
+/// is unshared meanwhile asks nothing of its neighbours' ends; in the end all concerned are looked at.
+template <class F>
+void with_ends_apart(Engine& e, F&& change) {
+  ++e.ends_held;
+  change();
+  if (--e.ends_held == 0) unshare_where_ends_part(e);
+}
+/// The segments across these edges, as far as they are shared, by slot.
+std::vector<std::uint32_t> neighbours_across(Engine&, std::span<const geometry::EdgeId> edges);
 /// Neighbours have one type of concavity (thesis §2.2): where a merger has brought `edges` to s, and two
 /// together, those of the shorter one are unshared.
 void keep_one_concavity(Engine&, Segment& s, std::span<const geometry::EdgeId> edges);

@@ -93,33 +93,18 @@ geometry::Merger merge_perimeters(Engine& e, geometry::Polygon& a, const geometr
   return merger;
 }
 
-}  // namespace
-
-bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
-  const bool first_larger = s1.polygon->perimeter.edge_count() >= s2.polygon->perimeter.edge_count();
-  Segment &a = first_larger ? s1 : s2, &b = first_larger ? s2 : s1;
-  if (a.initial() || b.initial()) return false;
-  if (!within(a.polygon->box, b.polygon->box, e.parameters.resolution) || !planes_agree(e, a, b) ||
-      remembered_as_refused(e, a, b) || !may_meet_where_changed(e, s1, s2))
-    return false;
-  if (!a.polygon->shared.empty() && !b.polygon->shared.empty()) dissolve_neighbours(e, a, b);
+/// All of b becomes a's, whose perimeter is already that of both; `other` was b's in a's chart. Returns where
+/// the description has changed.
+Places take_over(Engine& e, Segment& a, Segment& b, const geometry::Polygon& other,
+                 std::vector<geometry::EdgeId>& inherited) {
   PolygonPart& part = *a.polygon;
-  auto other = in_chart_of(e, part.chart, *b.polygon);
-  if (!other) return remember_refusal(e, a, b), false;
-  other->take_created();
-  const std::uint64_t joins_before = part.perimeter.joins();
-  const auto merger = merge_perimeters(e, part.perimeter, *other);
-  if (merger == geometry::Merger::too_far || merger == geometry::Merger::refused)
-    return remember_refusal(e, a, b), false;
-
-  e.repositioning = !b.polygon->shared.empty();  // edges that come from b are not on their lines yet
   auto [removed, created] = boundary_changed(e, a);
-  std::vector<geometry::EdgeId> inherited;
   for (const auto& [slot, edge] : created)
     if (part.perimeter.alive(slot) && part.perimeter.node(slot).shared) inherited.push_back(edge);
+  part.corners_due.insert(part.corners_due.end(), inherited.begin(), inherited.end());
   Places where = changed_places(a, b, created);
   for (const Box3& place : where.boxes()) part.box.extend(place);
-  const auto lost = lost_edges(*other, created);
+  const auto lost = lost_edges(other, created);
   removed.insert(removed.end(), lost.begin(), lost.end());
 
   const SegmentId old_a = a.id, old_b = b.id;
@@ -148,17 +133,39 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
   forward_label(e, old_b, a.id);
   e.changes.push_back({Change::Kind::merged, old_a, old_b, a.id, {}});
   if (!removed.empty()) e.changes.push_back({Change::Kind::edges_removed, {}, {}, a.id, std::move(removed)});
-  refit(e, a);
-  e.repositioning = false;
-  if (!inherited.empty()) {
+  return where;
+}
+
+}  // namespace
+
+bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
+  const bool first_larger = s1.polygon->perimeter.edge_count() >= s2.polygon->perimeter.edge_count();
+  Segment &a = first_larger ? s1 : s2, &b = first_larger ? s2 : s1;
+  if (a.initial() || b.initial()) return false;
+  if (!within(a.polygon->box, b.polygon->box, e.parameters.resolution) || !planes_agree(e, a, b) ||
+      remembered_as_refused(e, a, b) || !may_meet_where_changed(e, s1, s2))
+    return false;
+  if (!a.polygon->shared.empty() && !b.polygon->shared.empty()) dissolve_neighbours(e, a, b);
+  PolygonPart& part = *a.polygon;
+  auto other = in_chart_of(e, part.chart, *b.polygon);
+  if (!other) return remember_refusal(e, a, b), false;
+  other->take_created();
+  const std::uint64_t joins_before = part.perimeter.joins();
+  const auto merger = merge_perimeters(e, part.perimeter, *other);
+  if (merger == geometry::Merger::too_far || merger == geometry::Merger::refused)
+    return remember_refusal(e, a, b), false;
+
+  Places where;
+  std::vector<geometry::EdgeId> inherited;  // shared edges that come from b, and are not on their lines yet
+  with_ends_apart(e, [&] {
+    where = take_over(e, a, b, *other, inherited);
+    refit(e, a);
     reposition(e, a, inherited);
-    unshare_where_ends_part(e, std::vector(part.shared));  // of a's own some may have gone
-    keep_one_concavity(e, a, inherited);
-    // Who had one edge with each of the two, and others between them, has them in disorder now.
-    for (const geometry::EdgeId edge : inherited)
-      if (e.shared.count(edge.value)) dissolve_disordered(e, e.at(across(e, edge).segment));
-  }
-  // Cycles that have become one may be in order each, and not together.
+  });
+  keep_one_concavity(e, a, inherited);
+  // Who had one edge with each of the two, and others between them, has them in disorder now; and cycles that
+  // have become one may be in order each, and not together.
+  for (const std::uint32_t n : neighbours_across(e, inherited)) dissolve_disordered(e, e.at(n));
   if (!inherited.empty() || part.perimeter.joins() != joins_before) dissolve_disordered(e, a);
   part.initial = a.fit.plane();
   description_changed(e, a, where);

@@ -170,7 +170,10 @@ void unshare(Engine& e, EdgeId edge) {
     forget(e, next);
     forget(e, partner);
     for (const EdgeId b : beside)
-      if (!e.repositioning && e.shared.count(b.value) && !ends_meet(e, b)) going.push_back(b);
+      if (e.ends_held > 0)
+        e.ends_due.push_back(b);
+      else if (e.shared.count(b.value) && !ends_meet(e, b))
+        going.push_back(b);
   }
 }
 
@@ -184,26 +187,33 @@ void dissolve_all_neighbours(Engine& e, Segment& s) {
   while (!s.polygon->shared.empty()) unshare(e, s.polygon->shared.front());
 }
 
-void unshare_where_ends_part(Engine& e, std::span<const EdgeId> edges) {
-  std::vector<EdgeId> all(edges.begin(), edges.end());
+void note_ends(Engine& e, std::span<const EdgeId> edges) {
   for (const EdgeId edge : edges) {
     const auto entry = e.shared.find(edge.value);
     if (entry == e.shared.end()) continue;
-    adjoining(e, edge, all);
-    adjoining(e, entry->second.partner, all);
+    e.ends_due.push_back(edge);
+    adjoining(e, edge, e.ends_due);
+    adjoining(e, entry->second.partner, e.ends_due);
   }
-  for (const EdgeId edge : all)
+}
+
+void unshare_where_ends_part(Engine& e) {
+  for (const EdgeId edge : std::exchange(e.ends_due, {}))
     if (e.shared.count(edge.value) && !ends_meet(e, edge)) unshare(e, edge);
+}
+
+std::vector<std::uint32_t> neighbours_across(Engine& e, std::span<const EdgeId> edges) {
+  std::vector<std::uint32_t> slots;
+  for (const EdgeId edge : edges)
+    if (e.shared.count(edge.value)) slots.push_back(across(e, edge).segment);
+  std::sort(slots.begin(), slots.end());
+  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+  return slots;
 }
 
 void keep_one_concavity(Engine& e, Segment& s, std::span<const EdgeId> edges) {
   const PolygonPart& part = *s.polygon;
-  std::vector<std::uint32_t> neighbours;
-  for (const EdgeId edge : edges)
-    if (e.shared.count(edge.value)) neighbours.push_back(across(e, edge).segment);
-  std::sort(neighbours.begin(), neighbours.end());
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-  for (const std::uint32_t n : neighbours) {
+  for (const std::uint32_t n : neighbours_across(e, edges)) {
     const auto line = common_line(part.plane(), e.at(n).polygon->plane(), part.box.center());
     if (!line) continue;
     std::array<double, 2> length{};  // of the concave ones, and of the convex

@@ -100,14 +100,15 @@ void publish(Engine& e, Segment& s) {
   if (shift <= (e.finishing ? 1 : e.gap / 16 * e.sin_angle)) return;
   part.stale = s.moments.count() > 0 && !faces_outside(s.fit.normal, s.axis_sum);
   if (part.stale) return;
-  const bool outermost = !std::exchange(e.repositioning, true);
-  if (!(lift.squared_tilt() > kRechartTilt2 && rechart(e, s))) {
-    part.stale = lift.squared_tilt() > kMaxTilt2;
-    if (!part.stale) part.published = lift, part.outward = s.fit.normal;
-  }
-  e.repositioning = !outermost;
+  with_ends_apart(e, [&] {
+    if (!(lift.squared_tilt() > kRechartTilt2 && rechart(e, s))) {
+      part.stale = lift.squared_tilt() > kMaxTilt2;
+      if (part.stale) return;
+      part.published = lift, part.outward = s.fit.normal;
+    }
+    reposition(e, s, part.shared);
+  });
   if (part.stale) return;
-  reposition(e, s, part.shared);
   part.box = perimeter_box(part);
   description_changed(e, s, part.box);
   update_index(e, s);

@@ -107,8 +107,7 @@ class Repositioning {
       const Eigen::Vector3d from_p = s_.polygon->position(p);
       // Where neither is a corner, both go to the foot of the same point.
       const Eigen::Vector3d from_q = corner_p || corner_q ? n.polygon->position(q) : from_p;
-      if (!place(s_, p, edge, beside_p, corner_p, from_p) ||
-          !place(n, q, copy, beside_q, corner_q, from_q))
+      if (!place(s_, p, edge, beside_p, corner_p, from_p) || !place(n, q, copy, beside_q, corner_q, from_q))
         return false;
     }
     return true;
@@ -188,12 +187,10 @@ class Repositioning {
 void reposition(Engine& e, Segment& s, std::vector<EdgeId> edges) {
   if (edges.empty()) return;
   std::sort(edges.begin(), edges.end());
-  const bool outermost = !std::exchange(e.repositioning, true);
-  const std::vector<EdgeId> all = edges;
-  Repositioning(e, s, edges).run();
-  if (!outermost) return;
-  e.repositioning = false;
-  unshare_where_ends_part(e, all);
+  with_ends_apart(e, [&] {
+    Repositioning(e, s, edges).run();
+    note_ends(e, edges);
+  });
 }
 
 }  // namespace limpet::model::internal
