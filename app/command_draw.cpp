@@ -9,9 +9,19 @@
 #include <limpet/io/error.hpp>
 #include <limpet/io/native.hpp>
 #include <limpet/io/text.hpp>
+#include <limpet/model/model.hpp>
 
 namespace limpet::app {
 namespace {
+
+/// A model's open edges; none where it is not such that it could be gone on with.
+std::vector<model::OpenEdge> open_edges_of(const model::ModelRecord& record) {
+  try {
+    return model::Model(record).open_edges();
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+}
 
 io::View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& given_up) {
   const auto is_along = [&](const Eigen::Vector3d& up) {
@@ -42,7 +52,10 @@ int run(const DrawArguments& args) {
   }
   std::vector<io::Figure> figures;
   for (const std::string& path : args.models) {
-    figures.push_back({io::load_native(path), std::filesystem::path(path).stem().string()});
+    model::ModelRecord record = io::load_native(path);
+    auto open_edges = open_edges_of(record);
+    figures.push_back(
+        {std::move(record), std::filesystem::path(path).stem().string(), std::move(open_edges)});
   }
   io::DrawOptions options;
   options.width = args.width;

@@ -185,7 +185,7 @@ class Run {
     read_all(model, ahead.points());
     const model::ModelRecord record = model.record();
     judge(record, "the final model");
-    const Summary summary = summarise_run(record);
+    const Summary summary = summarise_run(model, record);
     save(model, record, summary);
     report(summary);
     if (!summary.damage.empty())
@@ -254,8 +254,8 @@ class Run {
     judging_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  Summary summarise_run(const model::ModelRecord& record) const {
-    Summary summary = summarise(record);
+  Summary summarise_run(const model::Model& model, const model::ModelRecord& record) const {
+    Summary summary = summarise(record, model.open_edges());
     summary.refused += scan_.skipped();
     summary.violations = violations_;
     summary.seconds = seconds_;

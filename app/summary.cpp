@@ -14,7 +14,7 @@
 
 namespace limpet::app {
 
-Summary summarise(const model::ModelRecord& model) {
+Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEdge> open_edges) {
   Summary s;
   s.points = model.points;
   s.refused = model.refused;
@@ -34,6 +34,9 @@ Summary summarise(const model::ModelRecord& model) {
     }
   }
   s.shared_edges = shared / 2;
+  for (const model::OpenEdge& open : open_edges) ++s.open_because[open.refusal];
+  s.redundant_by_count = model.redundant_by_count;
+  s.redundant_by_position = model.redundant_by_position;
   const auto welds = io::weld(io::lift(model), model.resolution);
   s.corner_vertices = welds.corners;
   s.corner_distance = welds.corner_distance;
@@ -52,6 +55,10 @@ std::string to_json(const Summary& s) {
   json["holes"] = s.holes;
   json["shared_edges"] = s.shared_edges;
   json["open_edges"] = s.open_edges;
+  json["open_because"] = nlohmann::ordered_json::object();
+  for (const auto& [refusal, count] : s.open_because) json["open_because"][name(refusal)] = count;
+  json["redundant_by_count"] = s.redundant_by_count;
+  json["redundant_by_position"] = s.redundant_by_position;
   json["corner_vertices"] = s.corner_vertices;
   json["corner_distance"] = s.corner_distance;
   json["closed"] = s.closed();
@@ -78,6 +85,17 @@ std::string to_text(const Summary& s) {
   if (s.holes > 0) text << " with " << grouped(s.holes) << (s.holes == 1 ? " hole" : " holes");
   text << ", " << grouped(s.shared_edges) << " shared edges, " << grouped(s.corner_vertices) << " corners, ";
   text << (s.closed() ? "closed" : grouped(s.open_edges) + " open edges") << "\n";
+  if (!s.open_because.empty()) {
+    text << "open because:";
+    for (const auto& [refusal, count] : s.open_because)
+      text << (refusal == s.open_because.begin()->first ? " " : ", ") << grouped(count) << " "
+           << words(refusal);
+    text << "\n";
+  }
+  if (s.redundant_by_count + s.redundant_by_position > 0) {
+    text << "redundant segments deleted: " << grouped(s.redundant_by_count) << " by their points, "
+         << grouped(s.redundant_by_position) << " by position\n";
+  }
   if (s.loose + s.refused + s.expired > 0) {
     text << "in no polygon: " << grouped(s.loose) << " points loose, " << grouped(s.expired)
          << " given up as outliers; " << grouped(s.refused) << " records were no point\n";

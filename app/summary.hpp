@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <limpet/app/arguments.hpp>
 #include <limpet/audit/laws.hpp>
+#include <limpet/model/open_edges.hpp>
 #include <limpet/model/record.hpp>
+#include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +24,9 @@ struct Summary {
   std::int64_t segments = 0, polygons = 0, holes = 0;
   std::int64_t shared_edges = 0;  ///< corresponding pairs
   std::int64_t open_edges = 0;
+  std::map<model::Refusal, std::int64_t>
+      open_because;  ///< of the open edges, by what refused them a neighbour
+  std::int64_t redundant_by_count = 0, redundant_by_position = 0;  ///< segments deleted (thesis §2.9)
   std::int64_t corner_vertices = 0;
   double corner_distance = 0;   ///< largest from a corner to a plane that should hold it, scan's unit
   std::int64_t violations = 0;  ///< the oracle's count
@@ -35,7 +41,7 @@ struct Summary {
 };
 
 /// Counts what is in the model; the rest is the caller's to fill in.
-Summary summarise(const model::ModelRecord& model);
+Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEdge> open_edges);
 
 /// One JSON object, indented.
 std::string to_json(const Summary& summary);

@@ -115,12 +115,16 @@ void read_header(Reader& reader, Document& document) {
   reader.take("noise", document.noise);
   reader.take("tolerance", document.tolerance);
   if (reader.keyword() == "growth") reader.take("growth", document.growth, document.growth2);
+  if (reader.keyword() == "neighbours")
+    reader.take("neighbours", document.neighbours, document.redundancy_count, document.redundancy_ratio);
   reader.take("grid", document.step);
   std::string arithmetic;
   reader.take("arithmetic", arithmetic);
   document.arithmetic = arithmetic_of(arithmetic, reader);
   reader.take("rules", document.rules);
   reader.take("counts", document.points, document.refused, document.expired, document.sets);
+  if (reader.keyword() == "redundant")
+    reader.take("redundant", document.redundant_by_count, document.redundant_by_position);
   reader.take("next", document.next_segment, document.next_edge);
   reader.take("segments", document.declared_points, document.declared_polygons);
 }

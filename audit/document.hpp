@@ -59,9 +59,12 @@ struct Polygon : Segment {
 struct Document {
   double resolution = 0, angle = 0, noise = 0, tolerance = 0, step = 0;
   double growth = 0, growth2 = 0;  ///< of the noise with the range and its square
+  std::uint64_t neighbours = 1;    ///< 0: none are formed
+  double redundancy_count = 20, redundancy_ratio = 0.05;
   Arithmetic arithmetic = Arithmetic::kExact;
   std::string rules;
   std::uint64_t points = 0, refused = 0, expired = 0, sets = 0;
+  std::uint64_t redundant_by_count = 0, redundant_by_position = 0;
   std::uint64_t next_segment = 0, next_edge = 0;
   std::uint64_t declared_points = 0, declared_polygons = 0;
   std::vector<Segment> point_segments;

@@ -9,6 +9,7 @@
 #include <limpet/io/raster.hpp>
 #include <limpet/io/svg.hpp>
 #include <limpet/io/text.hpp>
+#include <set>
 #include <stdexcept>
 
 namespace limpet::io {
@@ -54,7 +55,7 @@ class Layout {
  public:
   Layout(const std::vector<Figure>& figures, const DrawOptions& options)
       : figures_(figures), options_(options) {
-    for (const Figure& figure : figures) scenes_.push_back(make_scene(figure.model, options.loose_points));
+    for (const Figure& figure : figures) scenes_.push_back(make_scene(figure, options.loose_points));
     views_ = options.views;
     if (views_.empty()) views_ = choose_views(scenes_);
     if (options.views.empty() && figures.size() > 1) views_.resize(std::min<std::size_t>(views_.size(), 2));
@@ -164,9 +165,14 @@ class Layout {
   }
 
   double legend(double top) {
-    const double size = 9.5 * unit_, middle = top + size / 2;
-    double left = margin_;
+    const double size = 9.5 * unit_;
+    double left = margin_, middle = top + size / 2;
     const auto entry = [&](const std::string& text, double length, double width, const Color& color) {
+      if (left > margin_ && left + length + width + text_width(text, size) > options_.width - margin_) {
+        left = margin_;
+        top += 2 * size;
+        middle += 2 * size;
+      }
       const double start = left + width / 2;
       sheet_.marks.push_back({{start, middle}, {start + length, middle}, width, color});
       left += length + width + 8 * unit_;
@@ -175,7 +181,10 @@ class Layout {
     };
     const double line = 26 * unit_;
     entry("shared edge", line, 2.2 * unit_, kSharedEdge);
-    entry("open edge", line, 3.2 * unit_, kOpenEdge);
+    const auto refusals = refusals_drawn();
+    if (refusals.empty()) entry("open edge", line, 3.2 * unit_, open_edge_color(model::Refusal::alone));
+    for (const model::Refusal refusal : refusals)
+      entry(std::string("open: ") + words(refusal), line, 3.2 * unit_, open_edge_color(refusal));
     if (options_.vertices) entry("vertex", 0, 6.4 * unit_, kInk);
     if (options_.loose_points) entry("point segment", 0, 4.4 * unit_, kLoosePoint);
     entry("back side", 10 * unit_, 10 * unit_, kBackSide);
@@ -186,6 +195,14 @@ class Layout {
     }
     label("a colour per segment", left + 6 * unit_, top, size, 1e9, kPale);
     return top + size + margin_;
+  }
+
+  /// What refused the open edges of all figures.
+  std::set<model::Refusal> refusals_drawn() const {
+    std::set<model::Refusal> refusals;
+    for (const Figure& figure : figures_)
+      for (const model::OpenEdge& open : figure.open_edges) refusals.insert(open.refusal);
+    return refusals;
   }
 
   const std::vector<Figure>& figures_;
@@ -213,7 +230,7 @@ void check(const std::vector<Figure>& figures, const DrawOptions& options) {
 
 std::vector<View> default_views(const std::vector<Figure>& figures) {
   std::vector<Scene> scenes;
-  for (const Figure& figure : figures) scenes.push_back(make_scene(figure.model, false));
+  for (const Figure& figure : figures) scenes.push_back(make_scene(figure, false));
   std::vector<View> views = choose_views(scenes);
   if (figures.size() > 1) views.resize(2);
   return views;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limpet/model/open_edges.hpp>
 #include <limpet/model/record.hpp>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ namespace limpet::io {
 struct Figure {
   model::ModelRecord model;
   std::string caption;
+  std::vector<model::OpenEdge> open_edges = {};  ///< why they are open, where that is known
 };
 
 /// A parallel projection.
@@ -38,9 +40,9 @@ std::vector<View> default_views(const std::vector<Figure>& figures);
 
 /// Draws models onto one sheet, as PNG or SVG by the extension of `path`: one figure with its views side by
 /// side, or several side by side (four in a row) with their views below each other. Faces in a colour per
-/// segment, shaded, their back sides grey; shared edges dark, open edges orange. The same models give the
-/// same bytes. Errors: OutputError, also for another extension; std::invalid_argument for options out of
-/// bounds.
+/// segment, shaded, their back sides grey; shared edges dark, open edges in a colour for each thing that
+/// refused them a neighbour, orange where that is not known or there is none. The same models give the same
+/// bytes. Errors: OutputError, also for another extension; std::invalid_argument for options out of bounds.
 void draw(const std::vector<Figure>& figures, const std::string& path, const DrawOptions& options);
 
 }  // namespace limpet::io

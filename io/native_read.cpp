@@ -212,6 +212,14 @@ void read_head(Fields& in, model::ModelRecord& model) {
     model.noise_per_range2 = in.real();
     in.done();
   }
+  if (in.optional_line("neighbours")) {
+    const std::int64_t formed = in.count();
+    if (formed > 1) in.fail("neighbours are formed (1) or not (0)");
+    model.neighbours = formed == 1;
+    model.redundancy_count = in.real();
+    model.redundancy_ratio = in.real();
+    in.done();
+  }
   model.grid_step = single(in, "grid");
   int exponent = 0;
   if (!(model.grid_step > 0) || std::frexp(model.grid_step, &exponent) != 0.5) {
@@ -232,6 +240,11 @@ void read_head(Fields& in, model::ModelRecord& model) {
   model.expired = in.count();
   model.sets = in.count();
   in.done();
+  if (in.optional_line("redundant")) {
+    model.redundant_by_count = in.count();
+    model.redundant_by_position = in.count();
+    in.done();
+  }
   in.line("next");
   model.next_segment = in.integer<std::uint64_t>();
   model.next_edge = in.integer<std::uint64_t>();

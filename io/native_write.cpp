@@ -10,6 +10,7 @@ namespace limpet::io {
 namespace {
 
 constexpr std::size_t kFlushBytes = 1 << 20;
+const model::ModelRecord kDefaults;
 
 /// One line: a word, then fields. Ends itself.
 class Line {
@@ -94,10 +95,16 @@ void write_head(std::string& text, const model::ModelRecord& model) {
   Line(text, "tolerance") << model.tolerance;
   if (model.noise_per_range > 0 || model.noise_per_range2 > 0)
     Line(text, "growth") << model.noise_per_range << model.noise_per_range2;
+  if (!model.neighbours || model.redundancy_count != kDefaults.redundancy_count ||
+      model.redundancy_ratio != kDefaults.redundancy_ratio)
+    Line(text, "neighbours") << std::int64_t{model.neighbours} << model.redundancy_count
+                             << model.redundancy_ratio;
   Line(text, "grid") << model.grid_step;
   text += "arithmetic " + word(model.arithmetic, "arithmetic") + "\n";
   text += "rules " + word(model.rules, "rules") + "\n";
   Line(text, "counts") << model.points << model.refused << model.expired << model.sets;
+  if (model.redundant_by_count + model.redundant_by_position > 0)
+    Line(text, "redundant") << model.redundant_by_count << model.redundant_by_position;
   Line(text, "next") << model.next_segment << model.next_edge;
   Line(text, "segments") << static_cast<std::uint64_t>(model.point_segments.size())
                          << static_cast<std::uint64_t>(model.polygon_segments.size());

@@ -69,8 +69,10 @@ void choose_widths(Panel& panel) {
 
 }  // namespace
 
-Scene make_scene(const model::ModelRecord& model, bool loose_points) {
+Scene make_scene(const Figure& figure, bool loose_points) {
+  const model::ModelRecord& model = figure.model;
   Scene scene;
+  for (const model::OpenEdge& open : figure.open_edges) scene.refusals[open.edge.value] = open.refusal;
   for (LiftedPolygon& polygon : lift(model)) {
     if (!is_drawable(polygon)) continue;
     for (const LiftedVertex& vertex : polygon.cycles[0]) scene.box.extend(vertex.at);
@@ -137,7 +139,8 @@ void project(const Scene& scene, const View& view, const Eigen::AlignedBox3d& bo
       Outline& outline = patch.outlines.emplace_back();
       for (const LiftedVertex& vertex : cycle) {
         outline.points.push_back(place(vertex.at));
-        outline.open.push_back(!vertex.shared());
+        outline.edges.push_back(vertex.shared() ? kSharedEdge
+                                                : open_edge_color(scene.refusal_of(vertex.edge)));
       }
     }
   }

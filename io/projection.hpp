@@ -5,6 +5,7 @@
 #include <limpet/io/drawing.hpp>
 #include <limpet/io/lifted.hpp>
 #include <limpet/io/sheet.hpp>
+#include <unordered_map>
 #include <vector>
 
 namespace limpet::io {
@@ -14,9 +15,15 @@ struct Scene {
   std::vector<LiftedPolygon> polygons;  ///< finite, each with a perimeter of three vertices at least
   std::vector<Eigen::Vector3d> loose;   ///< centres of the point segments
   Eigen::AlignedBox3d box;              ///< of the polygons; of the loose points where there are none
+  std::unordered_map<std::uint64_t, model::Refusal> refusals;  ///< of open edges, by identity
+
+  model::Refusal refusal_of(std::uint64_t edge) const {
+    const auto known = refusals.find(edge);
+    return known == refusals.end() ? model::Refusal::alone : known->second;
+  }
 };
 
-Scene make_scene(const model::ModelRecord& model, bool loose_points);
+Scene make_scene(const Figure& figure, bool loose_points);
 
 /// The views that show these scenes well (see default_views).
 std::vector<View> choose_views(const std::vector<Scene>& scenes);

@@ -133,9 +133,9 @@ void draw_edges(Band& band, const Panel& panel, bool open) {
   for (const Patch& patch : panel.patches) {
     for (const Outline& outline : patch.outlines) {
       for (std::size_t i = 0; i < outline.points.size(); ++i) {
-        if (outline.open[i] != open) continue;
+        if (outline.open(i) != open) continue;
         band.line(outline.points[i], outline.points[(i + 1) % outline.points.size()], width, nearer,
-                  open ? kOpenEdge : kSharedEdge);
+                  outline.edges[i]);
       }
     }
   }

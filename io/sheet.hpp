@@ -12,13 +12,14 @@
 namespace limpet::io {
 
 constexpr Color kPaper = {255, 255, 255}, kInk = {38, 42, 50}, kPale = {120, 126, 136};
-constexpr Color kSharedEdge = {38, 42, 50}, kOpenEdge = {232, 80, 20}, kLoosePoint = {64, 90, 160};
+constexpr Color kSharedEdge = {38, 42, 50}, kLoosePoint = {64, 90, 160};
 constexpr Color kBackSide = {168, 170, 174};
 
-/// One boundary cycle of a face: point i, and whether the edge from it to the next is open.
+/// One boundary cycle of a face: point i, and the colour of the edge from it to the next.
 struct Outline {
   std::vector<Eigen::Vector3d> points;
-  std::vector<bool> open;
+  std::vector<Color> edges;
+  bool open(std::size_t i) const { return edges[i] != kSharedEdge; }
 };
 
 /// A face, filled with one colour.

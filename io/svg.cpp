@@ -3,6 +3,7 @@
 #include <limpet/io/depth_order.hpp>
 #include <limpet/io/svg.hpp>
 #include <limpet/io/text.hpp>
+#include <set>
 
 namespace limpet::io {
 namespace {
@@ -59,27 +60,30 @@ void append_point(std::string& text, char command, const Eigen::Vector3d& p) {
   append_rounded(text, p.y());
 }
 
-/// All edges of one kind as one path; neighbours stay joined.
-std::string edges_path(const Patch& patch, bool open) {
+/// All edges of one colour as one path; neighbours stay joined.
+std::string edges_path(const Patch& patch, const Color& color) {
   std::string path;
   for (const Outline& outline : patch.outlines) {
     bool joined = false;
     for (std::size_t i = 0; i < outline.points.size(); ++i) {
-      if (outline.open[i] == open) {
+      if (outline.edges[i] == color) {
         if (!joined) append_point(path, 'M', outline.points[i]);
         append_point(path, 'L', outline.points[(i + 1) % outline.points.size()]);
       }
-      joined = outline.open[i] == open;
+      joined = outline.edges[i] == color;
     }
   }
   return path;
 }
 
-void append_edges(std::string& text, const Patch& patch, bool open, double width) {
-  const std::string path = edges_path(patch, open);
-  if (path.empty()) return;
-  text += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + hex(open ? kOpenEdge : kSharedEdge) +
-          "\" stroke-width=\"" + number(width) + "\"/>\n";
+void append_edges(std::string& text, const Patch& patch, const Panel& panel) {
+  std::set<Color> colors;
+  for (const Outline& outline : patch.outlines) colors.insert(outline.edges.begin(), outline.edges.end());
+  for (const Color& color : colors) {
+    text += "<path d=\"" + edges_path(patch, color) + "\" fill=\"none\" stroke=\"" + hex(color) +
+            "\" stroke-width=\"" + number(color == kSharedEdge ? panel.shared_width : panel.open_width) +
+            "\"/>\n";
+  }
 }
 
 void append_dot(std::string& text, double x, double y, double radius, const Color& color) {
@@ -98,8 +102,7 @@ void append_patch(std::string& text, const Panel& panel, const Patch& patch) {
     path += 'Z';
   }
   text += "<path d=\"" + path + "\" fill=\"" + hex(patch.fill) + "\" fill-rule=\"evenodd\"/>\n";
-  append_edges(text, patch, false, panel.shared_width);
-  append_edges(text, patch, true, panel.open_width);
+  append_edges(text, patch, panel);
   if (panel.vertex_radius <= 0) return;
   for (const Outline& outline : patch.outlines) {
     for (const Eigen::Vector3d& p : outline.points) append_dot(text, p.x(), p.y(), panel.vertex_radius, kInk);

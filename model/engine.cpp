@@ -44,7 +44,7 @@ Box3 box_around(const Eigen::Vector3d& p, double reach) {
   return {p - Eigen::Vector3d::Constant(reach), p + Eigen::Vector3d::Constant(reach)};
 }
 
-Segment& create_point_segment(Engine& e, const RawPoint& raw) {
+Segment& new_segment(Engine& e) {
   std::uint32_t slot = 0;
   if (e.free_slots.empty()) {
     slot = static_cast<std::uint32_t>(e.segments.size());
@@ -57,6 +57,12 @@ Segment& create_point_segment(Engine& e, const RawPoint& raw) {
   Segment& s = *e.segments[slot];
   s.id = {e.next_segment++};
   s.slot = slot;
+  e.slot_of[s.id.value] = slot;
+  return s;
+}
+
+Segment& create_point_segment(Engine& e, const RawPoint& raw) {
+  Segment& s = new_segment(e);
   s.moments = Moments(raw.at);
   s.axis_sum = raw.axis;
   s.variance_sum = raw.variance;
@@ -65,7 +71,6 @@ Segment& create_point_segment(Engine& e, const RawPoint& raw) {
   s.since_sum = static_cast<double>(s.raw.front().since);
   s.fit = fit_to(s.moments, e.step, s.axis_sum);
   s.last_joined = e.counts.points;
-  e.slot_of[s.id.value] = slot;
   e.by_age.emplace_back(s.last_joined, s.id);
   set_label(e, raw, s.id);
   mark_modified(e, s);
@@ -146,6 +151,15 @@ void description_changed(Engine& e, Segment& s, const Places& where) {
   s.polygon->changed.add(where);
   if (e.parameters.neighbours && (e.finishing || !s.young())) s.polygon->unshared.add(where);
   mark_modified(e, s);
+}
+
+Turn polygons_near(Engine& e, const Places& places, std::uint32_t but) {
+  query(e.polygons, places, e.found);
+  Turn near;
+  for (const std::uint32_t slot : e.found)
+    if (slot != but && e.at(slot).polygon) near.emplace_back(e.at(slot).id, slot);
+  std::sort(near.begin(), near.end());
+  return near;
 }
 
 void set_label(Engine& e, const RawPoint& raw, SegmentId id) {

@@ -101,6 +101,12 @@ struct alignas(64) Segment {
   bool mature_polygon() const { return polygon && !young() && !initial(); }
 };
 
+/// How far steps 4 and 5 go, in λ.
+struct SharingReach {
+  double section = 1;  ///< how far a section that gives way to a shared edge may be from its line
+  double least = 2;    ///< no shorter edge makes two segments neighbours
+};
+
 struct Engine {
   explicit Engine(const Parameters&);
 
@@ -140,8 +146,7 @@ struct Engine {
   int ends_held = 0;                                     ///< see with_ends_apart()
   std::vector<geometry::EdgeId> ends_due;                ///< shared edges whose ends are to be looked at then
   bool finishing = false;
-  double section_reach = 1;  ///< λ: how far a section that gives way to a shared edge may be from it
-  double least_shared = 2;   ///< λ: no shorter edge makes two segments neighbours
+  SharingReach sharing;
 
   std::vector<std::uint32_t> found;  ///< scratch of queries
   StageClock stage_clock;
@@ -158,6 +163,7 @@ struct Engine {
   }
   bool noise_grows() const { return parameters.noise_per_range > 0 || parameters.noise_per_range2 > 0; }
   Segment& at(std::uint32_t slot) { return *segments[slot]; }
+  const Segment& at(std::uint32_t slot) const { return *segments[slot]; }
   Segment* find(SegmentId);
   /// The segment if it is still in the slot it was in.
   Segment* find(SegmentId id, std::uint32_t slot) {
@@ -173,6 +179,8 @@ inline bool faces_outside(const Eigen::Vector3d& normal, const Eigen::Vector3d& 
 }
 
 // engine.cpp: segments and their bookkeeping
+/// With an identity and a place of its own.
+Segment& new_segment(Engine&);
 /// Not yet in the spatial index.
 Segment& create_point_segment(Engine&, const RawPoint&);
 void erase_segment(Engine&, Segment&);
@@ -183,6 +191,20 @@ void forward_label(Engine&, SegmentId from, SegmentId to);
 /// Notes that the description changed in `where` (world).
 void description_changed(Engine&, Segment&, const Places& where);
 void count_area(Engine&, PolygonPart&);
+/// Those whose description has changed and that `has_turn`, by identity. What they merge into is not among
+/// them: ask find() before each.
+using Turn = std::vector<std::pair<SegmentId, std::uint32_t>>;
+template <class F>
+Turn modified_polygons(const Engine& e, F&& has_turn) {
+  Turn turn;
+  for (const std::uint32_t slot : e.modified)
+    if (const Segment* s = e.segments[slot].get(); s && s->polygon && has_turn(*s->polygon))
+      turn.emplace_back(s->id, slot);
+  std::sort(turn.begin(), turn.end());
+  return turn;
+}
+/// The polygon segments near these places, but for the one in this slot, by identity.
+Turn polygons_near(Engine&, const Places&, std::uint32_t but);
 /// World boxes.
 Box3 box_around(const Eigen::Vector3d& p, double reach);
 Box3 perimeter_box(const PolygonPart&);
@@ -258,6 +280,8 @@ bool surfaces_continue(const Engine&, const Segment& large, const Segment& small
 /// Does `other` come within the gap of `s`, or lie inside or around it, where s has changed? Never false when
 /// a merger could succeed there.
 bool may_meet_where_changed(const Engine&, const Segment& s, const Segment& other);
+/// Is p within λ of the polygon?
+bool lies_near(const Engine&, const PolygonPart&, const Eigen::Vector3d& p);
 
 // merge_polygons.cpp: §2.4.3
 /// Tries to merge `other` with a segment that has changed.
@@ -284,7 +308,7 @@ void release_points(Engine&, Segment&, bool count_return);
 
 // neighbours.cpp: who shares what (§2.2, §2.8)
 /// The copy on the other side of a shared edge. Precondition: the edge is shared.
-SharedEdge& across(Engine&, geometry::EdgeId);
+const SharedEdge& across(const Engine&, geometry::EdgeId);
 /// The edges that two segments share: the copies on the one in the lower slot. Empty if they are no
 /// neighbours.
 std::span<const geometry::EdgeId> edges_between(const Engine&, const Segment&, const Segment&);
@@ -304,7 +328,7 @@ BoundaryChange boundary_changed(Engine&, Segment&);
 /// boundary_changed(), and all that follows from where the perimeter is now.
 void perimeter_changed(Engine&, Segment&);
 /// Does a vertex join two edges that are shared with different neighbours?
-bool is_corner(Engine&, const Segment&, geometry::Slot vertex);
+bool is_corner(const Engine&, const Segment&, geometry::Slot vertex);
 /// Unsharing (§2.8): both copies become open edges. Where that leaves the copies of another shared edge with
 /// ends apart, that edge goes the same way.
 void unshare(Engine&, geometry::EdgeId);
@@ -366,15 +390,22 @@ void add_initial(Engine&, std::size_t number, const InitialFace&);
 /// Would chance alone leave this area empty between k of m points of which there are `density` to a unit of
 /// area? Lengths in grid steps.
 bool empty_by_chance(double area, std::size_t k, std::int64_t m, double density, double gap);
+/// The same of a bay in the segment's perimeter, or a hole, with k points around it.
+bool empty_by_chance(const Engine&, const Segment&, double area, std::size_t k);
 bool drop_chance_holes(Engine&, Segment&);
 
 // update.cpp: §2.3
 void update_set(Engine&, std::span<const SensorPoint>);
+/// How far the last look of finish() goes.
+SharingReach last_reach(const Engine&);
 void finish(Engine&);
 
 // record.cpp
 ModelRecord to_record(const Engine&);
 void from_record(Engine&, const ModelRecord&);
+
+// open_edges.cpp
+std::vector<OpenEdge> open_edges(const Engine&);
 
 // surfaces.cpp
 std::vector<std::vector<SegmentId>> surfaces(const Engine&);

@@ -34,13 +34,8 @@ void add_initial(Engine& e, std::size_t number, const InitialFace& face) {
   if (!(length > 0) || !std::isfinite(length) || !std::isfinite(centre.sum())) refuse(number, "has no area");
   normal /= length;
 
-  const auto slot = static_cast<std::uint32_t>(e.segments.size());
-  auto s = std::make_unique<Segment>();
-  s->id = {e.next_segment};
-  s->slot = slot;
-  s->fit.centroid = centre, s->fit.normal = normal;
-  s->polygon = std::make_unique<PolygonPart>();
-  PolygonPart& part = *s->polygon;
+  auto polygon = std::make_unique<PolygonPart>();
+  PolygonPart& part = *polygon;
   part.chart = geometry::Chart({centre, normal}, outer[1] - outer[0], e.step);
   part.published = geometry::Lift(part.chart, {centre, normal});
   part.outward = normal;
@@ -57,14 +52,13 @@ void add_initial(Engine& e, std::size_t number, const InitialFace& face) {
   part.perimeter.take_created();
   part.box = perimeter_box(part);
 
-  e.segments.push_back(std::move(s));
-  ++e.next_segment;
-  Segment& segment = e.at(slot);
-  e.slot_of[segment.id.value] = slot;
+  Segment& segment = new_segment(e);
+  segment.fit.centroid = centre, segment.fit.normal = normal;
+  segment.polygon = std::move(polygon);
   e.changes.push_back({Change::Kind::created, {}, {}, segment.id, {}});
   e.changes.push_back({Change::Kind::became_polygon, {}, {}, segment.id, {}});
   update_index(e, segment);
-  description_changed(e, segment, part.box);
+  description_changed(e, segment, segment.polygon->box);
 }
 
 }  // namespace limpet::model::internal

@@ -32,8 +32,8 @@ bool clip(LineWindow& window, const CommonLine& line, const Box3& box) {
 
 class ChainWalk {
  public:
-  ChainWalk(Engine& e, const Segment& a, const Segment& b, const CommonLine& line, const LineWindow& window,
-            double reach)
+  ChainWalk(const Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
+            const LineWindow& window, double reach)
       : e_(e),
         part_(*a.polygon),
         other_(b.slot),
@@ -127,7 +127,7 @@ class ChainWalk {
     return {{stations.begin(), stations.end()}, {edges.begin(), edges.end()}};
   }
 
-  Engine& e_;
+  const Engine& e_;
   const PolygonPart& part_;
   std::uint32_t other_;
   const CommonLine& line_;
@@ -155,22 +155,26 @@ std::vector<Stretch> stretches_of(const std::vector<LineChain>& chains) {
 
 }  // namespace
 
-std::optional<LineWindow> window_of(const Engine& e, const CommonLine& line, const PolygonPart& a,
-                                    const PolygonPart& b) {
+std::optional<LineBetween> line_between(const Engine& e, const PolygonPart& a, const PolygonPart& b) {
+  const geometry::Plane pa = a.plane(), pb = b.plane();
+  if (pa.normal.dot(pb.normal) >= e.cos_angle) return std::nullopt;
+  const Box3 both(a.box.min().cwiseMax(b.box.min()), a.box.max().cwiseMin(b.box.max()));
+  const auto line = common_line(pa, pb, (both.min() + both.max()) / 2);
+  if (!line) return std::nullopt;
   constexpr double kFar = std::numeric_limits<double>::max() / 4;
   LineWindow window{-kFar, kFar};
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(e.parameters.resolution);
   for (const PolygonPart* part : {&a, &b})
-    if (!clip(window, line, Box3(part->box.min() - reach, part->box.max() + reach))) return std::nullopt;
-  return window;
+    if (!clip(window, *line, Box3(part->box.min() - reach, part->box.max() + reach))) return std::nullopt;
+  return LineBetween{*line, window};
 }
 
-std::vector<LineChain> line_chains(Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
-                                   const LineWindow& window, double reach) {
+std::vector<LineChain> line_chains(const Engine& e, const Segment& a, const Segment& b,
+                                   const CommonLine& line, const LineWindow& window, double reach) {
   return ChainWalk(e, a, b, line, window, reach).all();
 }
 
-Concavity concavity_of(Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
+Concavity concavity_of(const Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
                        const std::vector<LineChain>& chains_a, const std::vector<LineChain>& chains_b) {
   if (const auto shared = edges_between(e, a, b); !shared.empty()) {
     const geometry::EdgeId edge =

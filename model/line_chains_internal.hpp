@@ -59,13 +59,17 @@ struct LineWindow {
   double begin = 0, end = 0;
 };
 
-/// The stretch of the line on which both polygons can be near it; nothing if there is none.
-std::optional<LineWindow> window_of(const Engine&, const CommonLine&, const PolygonPart& a,
-                                    const PolygonPart& b);
+/// The line where the planes of two polygons meet, and the stretch of it on which both can be near it.
+/// Nothing when the normals differ by less than μ, or there is no such stretch.
+struct LineBetween {
+  CommonLine line;
+  LineWindow window;
+};
+std::optional<LineBetween> line_between(const Engine&, const PolygonPart& a, const PolygonPart& b);
 
 /// All chains of `a` along its line with `b` that come into the window, in its perimeter's direction.
 /// `reach`, scan's unit, is how far they may be from the line.
-std::vector<LineChain> line_chains(Engine&, const Segment& a, const Segment& b, const CommonLine&,
+std::vector<LineChain> line_chains(const Engine&, const Segment& a, const Segment& b, const CommonLine&,
                                    const LineWindow&, double reach);
 
 /// Convex or concave, where `a` comes first in the line's n₁ × n₂ (thesis §2.6.1).
@@ -73,7 +77,7 @@ enum class Concavity { undecided, convex, concave };
 
 /// That of neighbours is the one of any edge they share; else it is decided by the edges that lie opposite to
 /// each other along the line.
-Concavity concavity_of(Engine&, const Segment& a, const Segment& b, const CommonLine&,
+Concavity concavity_of(const Engine&, const Segment& a, const Segment& b, const CommonLine&,
                        const std::vector<LineChain>& chains_a, const std::vector<LineChain>& chains_b);
 
 }  // namespace limpet::model::internal

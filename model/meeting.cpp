@@ -54,4 +54,14 @@ bool may_meet_where_changed(const Engine& e, const Segment& s, const Segment& ot
   return near || holds(a, in_chart(a, b, some_vertex(b.perimeter)));
 }
 
+bool lies_near(const Engine& e, const PolygonPart& part, const Eigen::Vector3d& p) {
+  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+  const double height = part.plane().height_of(p);
+  if (height * height >= lambda2) return false;
+  const geometry::Point2 q = geometry::round_to_grid(part.chart.project(p));
+  if (part.perimeter.locate(q) != geometry::Polygon::Side::outside) return true;
+  const double left = std::sqrt((lambda2 - height * height) / lambda2) * e.gap;
+  return geometry::nearest_perimeter_point(part.perimeter, q, left).has_value();
+}
+
 }  // namespace limpet::model::internal

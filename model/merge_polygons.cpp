@@ -175,19 +175,11 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
 
 bool merge_modified_polygons(Engine& e) {
   bool any = false;
-  std::vector<std::pair<SegmentId, std::uint32_t>> turn;
-  for (const std::uint32_t slot : e.modified)
-    if (e.segments[slot] && e.segments[slot]->polygon && !e.segments[slot]->polygon->changed.empty())
-      turn.emplace_back(e.segments[slot]->id, slot);
-  std::sort(turn.begin(), turn.end());
+  const Turn turn = modified_polygons(e, [](const PolygonPart& part) { return !part.changed.empty(); });
   for (const auto& [id, slot] : turn) {
     Segment* s = e.find(id, slot);
     if (!s) continue;  // merged away in this round; what it became is modified and has its turn next round
-    query(e.polygons, s->polygon->changed, e.found);
-    std::vector<std::pair<SegmentId, std::uint32_t>> others;
-    for (const std::uint32_t other : e.found)
-      if (other != slot && e.at(other).polygon) others.emplace_back(e.at(other).id, other);
-    std::sort(others.begin(), others.end());
+    const Turn others = polygons_near(e, s->polygon->changed, slot);
     // After a merger what came of it has its own turn in the next round, with all that had changed of both.
     const bool merged = std::any_of(others.begin(), others.end(), [&](const auto& other) {
       return merge_polygon_segments(e, *s, e.at(other.second));

@@ -14,6 +14,9 @@ Parameters parameters_of(const ModelRecord& r) {
   p.noise_per_range = r.noise_per_range;
   p.noise_per_range2 = r.noise_per_range2;
   p.tolerance = r.tolerance;
+  p.neighbours = r.neighbours;
+  p.redundancy_count = r.redundancy_count;
+  p.redundancy_ratio = r.redundancy_ratio;
   p.rules = Rules::parse(r.rules);
   return p;
 }
@@ -64,6 +67,8 @@ Counts Model::counts() const {
 ModelRecord Model::record() const { return internal::to_record(state_->engine); }
 
 std::vector<std::vector<SegmentId>> Model::surfaces() const { return internal::surfaces(state_->engine); }
+
+std::vector<OpenEdge> Model::open_edges() const { return internal::open_edges(state_->engine); }
 
 void Model::keep_labels() { state_->engine.labels_kept = true; }
 

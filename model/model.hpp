@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <limpet/model/changes.hpp>
+#include <limpet/model/open_edges.hpp>
 #include <limpet/model/record.hpp>
 #include <limpet/model/rules.hpp>
 #include <limpet/model/sensor_point.hpp>
@@ -90,6 +91,11 @@ class Model {
   /// Connected components of the neighbour relation, each ascending, in the order of their lowest identity
   /// (thesis §2.2).
   std::vector<std::vector<SegmentId>> surfaces() const;
+
+  /// For each open edge the condition that last refused it a neighbour, with what finish() would try at last;
+  /// by segment and edge. Empty where neighbours are not asked for. Takes about as long as one look of
+  /// finish().
+  std::vector<OpenEdge> open_edges() const;
 
   /// From now on remember which segment each sensor point went to (eight bytes a point).
   void keep_labels();

@@ -58,7 +58,7 @@ void forget(Engine& e, EdgeId edge) {
 }
 
 /// Do the ends of the copies meet, but for corners?
-bool ends_meet(Engine& e, EdgeId edge) {
+bool ends_meet(const Engine& e, EdgeId edge) {
   const SharedEdge &mine = e.shared.at(edge.value), &other = across(e, edge);
   if (mine.slot == geometry::kNoSlot || other.slot == geometry::kNoSlot)
     return true;  // about to be put there
@@ -74,7 +74,7 @@ bool ends_meet(Engine& e, EdgeId edge) {
 }
 
 /// Shared edges before and after this one on its perimeter, of which it may have been a corner partner.
-void adjoining(Engine& e, EdgeId edge, std::vector<EdgeId>& result) {
+void adjoining(const Engine& e, EdgeId edge, std::vector<EdgeId>& result) {
   const SharedEdge& entry = e.shared.at(edge.value);
   if (entry.slot == geometry::kNoSlot) return;
   const auto& perimeter = e.at(entry.segment).polygon->perimeter;
@@ -85,13 +85,15 @@ void adjoining(Engine& e, EdgeId edge, std::vector<EdgeId>& result) {
 
 }  // namespace
 
-bool is_corner(Engine& e, const Segment& s, Slot vertex) {
+bool is_corner(const Engine& e, const Segment& s, Slot vertex) {
   const auto& perimeter = s.polygon->perimeter;
   const auto &before = perimeter.node(perimeter.prev(vertex)), &after = perimeter.node(vertex);
   return before.shared && after.shared && across(e, before.edge).segment != across(e, after.edge).segment;
 }
 
-SharedEdge& across(Engine& e, EdgeId edge) { return e.shared.at(e.shared.at(edge.value).partner.value); }
+const SharedEdge& across(const Engine& e, EdgeId edge) {
+  return e.shared.at(e.shared.at(edge.value).partner.value);
+}
 
 std::span<const EdgeId> edges_between(const Engine& e, const Segment& a, const Segment& b) {
   const auto entry = e.neighbour_edges.find(pair_key(a.slot, b.slot));

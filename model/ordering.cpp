@@ -20,7 +20,8 @@ struct SharedCycle {
   std::vector<std::uint32_t> neighbours;
 };
 
-SharedCycle shared_on(Engine& e, const geometry::Polygon& perimeter, const geometry::Polygon::Cycle& cycle) {
+SharedCycle shared_on(const Engine& e, const geometry::Polygon& perimeter,
+                      const geometry::Polygon::Cycle& cycle) {
   SharedCycle result;
   Slot s = cycle.first;
   for (std::uint32_t i = 0; i < cycle.size; ++i, s = perimeter.next(s)) {

@@ -138,6 +138,11 @@ ModelRecord to_record(const Engine& e) {
   r.refused = e.counts.refused;
   r.expired = e.counts.expired;
   r.sets = e.counts.sets;
+  r.neighbours = e.parameters.neighbours;
+  r.redundancy_count = e.parameters.redundancy_count;
+  r.redundancy_ratio = e.parameters.redundancy_ratio;
+  r.redundant_by_count = e.counts.redundant_by_count;
+  r.redundant_by_position = e.counts.redundant_by_position;
   r.next_segment = e.next_segment;
   r.next_edge = e.edge_ids.next();
   for (const auto& s : e.segments) {
@@ -161,6 +166,8 @@ void from_record(Engine& e, const ModelRecord& r) {
   e.counts.refused = r.refused;
   e.counts.expired = r.expired;
   e.counts.sets = r.sets;
+  e.counts.redundant_by_count = r.redundant_by_count;
+  e.counts.redundant_by_position = r.redundant_by_position;
   e.next_segment = r.next_segment;
   e.edge_ids = geometry::EdgeIds(r.next_edge);
   for (const PointSegmentRecord& p : r.point_segments) {

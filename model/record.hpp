@@ -78,6 +78,10 @@ struct ModelRecord {
   std::int64_t refused = 0;  ///< records that were no point (not finite, zero axis, out of range)
   std::int64_t expired = 0;  ///< outliers given up
   std::int64_t sets = 0;     ///< sets of sensor points processed
+  bool neighbours = true;    ///< shared edges and corner vertices are formed
+  double redundancy_count = 20, redundancy_ratio = 0.05;  ///< ψ and φ (thesis §2.9)
+  /// Redundant segments deleted: by ψ and φ, and by position.
+  std::int64_t redundant_by_count = 0, redundant_by_position = 0;
   std::uint64_t next_segment = 1, next_edge = 1;       ///< identities not yet used
   std::vector<PointSegmentRecord> point_segments;      ///< ascending id
   std::vector<PolygonSegmentRecord> polygon_segments;  ///< ascending id

@@ -4,9 +4,6 @@
 // no edge to share. Their data goes where it still fits.
 #include <algorithm>
 
-#include <limpet/geometry/predicates.hpp>
-#include <limpet/geometry/search.hpp>
-
 #include "engine_internal.hpp"
 
 namespace limpet::model::internal {
@@ -20,14 +17,7 @@ constexpr double kSameWay = 0.5;  ///< cosine of 60°
 /// thin plate has a back, and the perimeter of a small face of a box lies all on the faces around it; a
 /// sliver across an edge turns by half of the angle there.
 bool lies_on(const Engine& e, const Segment& other, const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
-  const PolygonPart& part = *other.polygon;
-  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
-  const double height = part.plane().height_of(p);
-  if (part.outward.dot(normal) <= kSameWay || height * height >= lambda2) return false;
-  const geometry::Point2 q = geometry::round_to_grid(part.chart.project(p));
-  if (part.perimeter.locate(q) != geometry::Polygon::Side::outside) return true;
-  const double left = std::sqrt((lambda2 - height * height) / lambda2) * e.gap;
-  return geometry::nearest_perimeter_point(part.perimeter, q, left).has_value();
+  return other.polygon->outward.dot(normal) > kSameWay && lies_near(e, *other.polygon, p);
 }
 
 /// A patch or a sliver: what is larger, and wider, is a surface of its own however near others are.

@@ -2,6 +2,7 @@
 //
 // Updating the surface model by a set of sensor points (thesis §2.3).
 #include <cmath>
+#include <utility>
 
 #include "engine_internal.hpp"
 
@@ -10,9 +11,7 @@ namespace {
 
 constexpr int kMaxMergeRounds = 50;
 constexpr int kMaxFinishRounds = 20;
-constexpr double kChanceReach = 5;     ///< λ
-constexpr double kLeastAtLast = 0.25;  ///< λ
-constexpr std::int64_t kSmall = 5;     ///< point segments below this may expire
+constexpr std::int64_t kSmall = 5;  ///< point segments below this may expire
 
 /// The reading on the model's grid, or nothing when it is no point.
 std::optional<RawPoint> on_grid(const Engine& e, const SensorPoint& reading) {
@@ -147,18 +146,18 @@ void until_nothing_changes(Engine& e) {
 /// What is still open may be so by chance: sections are looked for farther from their lines. Then short edges
 /// may make neighbours, too, where long ones have not met in a corner.
 void close_what_is_open(Engine& e) {
-  const double least = e.least_shared;
-  for (const bool short_edges : {false, true}) {
-    e.section_reach = e.rules().voids ? kChanceReach : 1;
-    if (short_edges) e.least_shared = kLeastAtLast;
+  const SharingReach last = last_reach(e);
+  for (const SharingReach& reach : {SharingReach{last.section, e.sharing.least}, last}) {
+    const SharingReach before = std::exchange(e.sharing, reach);
     mark_all(e);
     until_nothing_changes(e);
+    e.sharing = before;
   }
-  e.section_reach = 1;
-  e.least_shared = least;
 }
 
 }  // namespace
+
+SharingReach last_reach(const Engine& e) { return {e.rules().voids ? 5.0 : 1.0, 0.25}; }
 
 void update_set(Engine& e, std::span<const SensorPoint> set) {
   e.changes.clear();

@@ -36,6 +36,12 @@ bool empty_by_chance(double area, std::size_t k, std::int64_t m, double density,
          natural_log(1000.0 * static_cast<double>(m)) + static_cast<double>(k) * natural_log(choices);
 }
 
+bool empty_by_chance(const Engine& e, const Segment& s, double area, std::size_t k) {
+  const auto m = s.moments.count();
+  if (m == 0) return false;
+  return empty_by_chance(area, k, m, static_cast<double>(m) / s.polygon->perimeter.area(), e.gap);
+}
+
 bool drop_chance_holes(Engine& e, Segment& s) {
   geometry::Polygon& perimeter = s.polygon->perimeter;
   if (perimeter.hole_count() == 0 || s.moments.count() == 0) return false;

@@ -15,13 +15,15 @@ namespace {
 
 class DrawingTest : public FileTest {};
 
+const Color kOpen = open_edge_color(model::Refusal::alone);
+
 /// One panel of 200 × 200 pixels, two units across, looking along `toward`.
-Sheet sheet_of(const model::ModelRecord& model, const Eigen::Vector3d& toward, const Eigen::Vector3d& up) {
+Sheet sheet_of(const Figure& figure, const Eigen::Vector3d& toward, const Eigen::Vector3d& up) {
   Sheet sheet;
   sheet.width = sheet.height = 200;
   Panel& panel = sheet.panels.emplace_back();
   panel.width = panel.height = 200;
-  const Scene scene = make_scene(model, true);
+  const Scene scene = make_scene(figure, true);
   project(scene, {toward, up, ""}, scene.box, 100, panel);
   return sheet;
 }
@@ -35,7 +37,7 @@ int count(const Image& image, const Color& color) {
 }
 
 TEST_F(DrawingTest, AFaceFillsWhatItCovers) {
-  const Sheet sheet = sheet_of(cube(), -Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
+  const Sheet sheet = sheet_of({cube(), ""}, -Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
   const Image image = paint(sheet);
   const Color top = sheet.panels[0].patches.back().fill;
   EXPECT_EQ(image.at(100, 100), top);
@@ -49,16 +51,16 @@ TEST_F(DrawingTest, AFaceFillsWhatItCovers) {
 TEST_F(DrawingTest, NearFacesHideFarOnesWhateverTheirOrder) {
   ModelMaker maker;
   maker.face({rectangle(0, 0, 1, 1, 0.5)}).face({rectangle(0, 0, 1, 1, 0)});
-  const Sheet above = sheet_of(maker.make(), -Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
+  const Sheet above = sheet_of({maker.make(), ""}, -Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
   EXPECT_EQ(paint(above).at(100, 100), above.panels[0].patches[0].fill);
-  const Sheet below = sheet_of(maker.make(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
+  const Sheet below = sheet_of({maker.make(), ""}, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
   EXPECT_EQ(paint(below).at(100, 100), below.panels[0].patches[1].fill);
   EXPECT_NE(above.panels[0].patches[1].fill, below.panels[0].patches[1].fill)
       << "a back side looks otherwise";
 }
 
 TEST_F(DrawingTest, HolesShowWhatLiesBehind) {
-  const Image image = paint(sheet_of(plate(), -Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()));
+  const Image image = paint(sheet_of({plate(), ""}, -Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()));
   // The plate is 4 × 2 about (2, 1); the large bore has its middle at (1, 1): 100 pixels left of the centre.
   EXPECT_EQ(image.at(5, 100), kPaper);
   EXPECT_NE(image.at(100, 100), kPaper);
@@ -66,16 +68,36 @@ TEST_F(DrawingTest, HolesShowWhatLiesBehind) {
 
 TEST_F(DrawingTest, OpenEdgesHaveTheirOwnColour) {
   const auto z = Eigen::Vector3d::UnitZ();
-  EXPECT_EQ(count(paint(sheet_of(cube(), {-0.5, 0.7, -0.5}, z)), kOpenEdge), 0);
-  EXPECT_GT(count(paint(sheet_of(open_cube(), {-0.5, 0.7, -0.5}, z)), kOpenEdge), 200);
+  EXPECT_EQ(count(paint(sheet_of({cube(), ""}, {-0.5, 0.7, -0.5}, z)), kOpen), 0);
+  EXPECT_GT(count(paint(sheet_of({open_cube(), ""}, {-0.5, 0.7, -0.5}, z)), kOpen), 200);
+}
+
+TEST_F(DrawingTest, OpenEdgesTellWhatRefusedThem) {
+  Figure figure{open_cube(), "told"};
+  std::vector<model::Refusal> all;
+  for (std::size_t i = 0; i < model::kRefusals; ++i) all.push_back(static_cast<model::Refusal>(i));
+  std::size_t next = 0;
+  for (const auto& polygon : figure.model.polygon_segments)
+    for (const auto& vertex : polygon.cycles[0])
+      if (vertex.partner == 0)
+        figure.open_edges.push_back({{polygon.id}, {vertex.edge}, all[next++ % all.size()], {}});
+  const Image image = paint(sheet_of(figure, {-0.5, 0.7, -0.5}, Eigen::Vector3d::UnitZ()));
+  for (std::size_t i = 0; i < next; ++i)
+    EXPECT_GT(count(image, open_edge_color(all[i % all.size()])), 20) << name(all[i % all.size()]);
+  draw({figure}, path("told.svg"), {});
+  const std::string svg = read(path("told.svg"));
+  for (std::size_t i = 0; i < next; ++i)
+    EXPECT_NE(svg.find(words(all[i % all.size()])), std::string::npos) << "in the legend";
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(open_edge_color(all[i]), open_edge_color(all[j]));
 }
 
 TEST_F(DrawingTest, HiddenEdgesAreHidden) {
   // Seen from below, the open rim of a cube lies behind its bottom.
-  const Image image = paint(sheet_of(open_cube(), Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()));
+  const Image image = paint(sheet_of({open_cube(), ""}, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()));
   int inside = 0;
   for (int y = 55; y < 145; ++y) {
-    for (int x = 55; x < 145; ++x) inside += image.at(x, y) == kOpenEdge;
+    for (int x = 55; x < 145; ++x) inside += image.at(x, y) == kOpen;
   }
   EXPECT_EQ(inside, 0);
 }
@@ -83,7 +105,7 @@ TEST_F(DrawingTest, HiddenEdgesAreHidden) {
 TEST_F(DrawingTest, LoosePointsAreDots) {
   ModelMaker maker;
   maker.face({rectangle(0, 0, 1, 1, 0)}).loose({0.5, 0.5, 0.25}).loose({0.5, 0.25, -0.25});
-  const Sheet sheet = sheet_of(maker.make(), -Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
+  const Sheet sheet = sheet_of({maker.make(), ""}, -Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
   EXPECT_EQ(sheet.panels[0].loose.size(), 2u);
   const Image image = paint(sheet);
   EXPECT_EQ(image.at(100, 100), kLoosePoint);
@@ -98,7 +120,7 @@ TEST_F(DrawingTest, DepthOrderAgreesWithTheDepthBuffer) {
   for (std::size_t m = 0; m < models.size(); ++m) {
     for (std::size_t d = 0; d < directions.size(); ++d) {
       SCOPED_TRACE("model " + std::to_string(m) + ", direction " + std::to_string(d));
-      Sheet sheet = sheet_of(models[m], directions[d], Eigen::Vector3d::UnitZ());
+      Sheet sheet = sheet_of({models[m], ""}, directions[d], Eigen::Vector3d::UnitZ());
       Panel& panel = sheet.panels[0];
       panel.shared_width = panel.open_width = 0.01;
       panel.vertex_radius = 0;
@@ -178,7 +200,7 @@ TEST_F(DrawingTest, OddModelsAreDrawnToo) {
   model::ModelRecord broken = cube();
   broken.polygon_segments[0].chart_origin.x() = std::nan("");
   broken.polygon_segments[1].cycles.clear();
-  EXPECT_EQ(make_scene(broken, true).polygons.size(), 4u);
+  EXPECT_EQ(make_scene({broken, ""}, true).polygons.size(), 4u);
   ModelMaker points;
   points.loose({1, 2, 3}).loose({4, 5, 7});
   for (const model::ModelRecord& model : {broken, points.make(), ModelMaker().make()}) {

@@ -1,0 +1,163 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "section_search_internal.hpp"
+
+#include <algorithm>
+
+#include <limpet/geometry/predicates.hpp>
+
+namespace limpet::model::internal {
+namespace {
+
+using geometry::EdgeId;
+
+std::pair<double, double> range(const LineChain& chain) {
+  const auto [low, high] =
+      std::minmax_element(chain.stations.begin(), chain.stations.end(),
+                          [](const Station& a, const Station& b) { return a.place < b.place; });
+  return {low->place, high->place};
+}
+
+/// By identity: the ends of a corresponding pair are at one place, that of a's copy.
+void match_places(const Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
+                  std::vector<LineChain>& chains_b) {
+  const LineView view(e, *a.polygon, line);
+  const auto place_on_a = [&](geometry::Slot s) { return view.station(s).place; };
+  for (LineChain& chain : chains_b)
+    for (std::size_t i = 0; i < chain.edges.size(); ++i) {
+      const auto& node = b.polygon->perimeter.node(chain.edges[i]);
+      if (!node.shared) continue;
+      const geometry::Slot mine = across(e, node.edge).slot;
+      chain.stations[i].place = place_on_a(a.polygon->perimeter.next(mine));
+      chain.stations[i + 1].place = place_on_a(mine);
+    }
+}
+
+}  // namespace
+
+std::optional<PairOfChains> chains_of_both(const Engine& e, const Segment& a, const Segment& b,
+                                           const CommonLine& line, const LineWindow& window,
+                                           const SharingReach& sharing) {
+  const double reach = sharing.section * e.parameters.resolution;
+  PairOfChains chains;
+  chains.of_a = line_chains(e, a, b, line, window, reach);
+  if (chains.of_a.empty()) return std::nullopt;
+  chains.of_b = line_chains(e, b, a, line, window, reach);
+  if (chains.of_b.empty()) return std::nullopt;
+  chains.concavity = concavity_of(e, a, b, line, chains.of_a, chains.of_b);
+  match_places(e, a, b, line, chains.of_b);
+  return chains;
+}
+
+SectionSearch::SectionSearch(const Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
+                             const SharingReach& reach, const PairOfChains& chains)
+    : e_(e), a_(a), b_(b), line_(line), sign_(chains.concavity == Concavity::convex ? 1 : -1) {
+  for (const LineChain& chain : chains.of_a) chains_p_.push_back(turned(chain, false, sign_));
+  for (const LineChain& chain : chains.of_b) chains_q_.push_back(turned(chain, true, sign_));
+  beyond_p_ = beyond_line(chains_p_);
+  beyond_q_ = beyond_line(chains_q_);
+  // At the apex of a pyramid opposite faces come within λ of their common line, too, for about as long.
+  const bool neighbours = !edges_between(e, a, b).empty();
+  least_length_ = neighbours ? kLeastSharedSteps * e.step : reach.least * e.parameters.resolution;
+}
+
+bool SectionSearch::run(SectionUser& user) {
+  user_ = &user;
+  for (p_at_ = 0; p_at_ < chains_p_.size(); ++p_at_)
+    for (q_at_ = 0; q_at_ < chains_q_.size(); ++q_at_)
+      if (form(chains_p_[p_at_], chains_q_[q_at_])) return true;
+  return false;
+}
+
+std::vector<SectionSearch::Beyond> SectionSearch::beyond_line(const std::vector<LineChain>& chains) {
+  std::vector<Beyond> result;
+  for (std::size_t c = 0; c < chains.size(); ++c)
+    for (std::size_t i = 0; i + 1 < chains[c].stations.size(); ++i) {
+      const Station &u = chains[c].stations[i], &v = chains[c].stations[i + 1];
+      if (u.offset > 0 && v.offset > 0) continue;
+      result.push_back({std::min(u.place, v.place), std::max(u.place, v.place), c});
+    }
+  return result;
+}
+
+/// Does another chain lie beyond the line there? Then the segment goes on, and what looks like a border on L
+/// is the far side of a hole.
+bool SectionSearch::goes_on_beyond(double begin, double end) const {
+  const double least = kLeastSharedSteps * e_.step;
+  const auto meets = [&](const std::vector<Beyond>& beyond, std::size_t own) {
+    return std::any_of(beyond.begin(), beyond.end(), [&](const Beyond& w) {
+      return w.chain != own && std::min(w.end, end) - std::max(w.begin, begin) > least;
+    });
+  };
+  return meets(beyond_p_, p_at_) || meets(beyond_q_, q_at_);
+}
+
+bool SectionSearch::form(const LineChain& p, const LineChain& q) {
+  p_ = {&a_, &p, false}, q_ = {&b_, &q, true};
+  const auto [low_p, high_p] = range(p);
+  const auto [low_q, high_q] = range(q);
+  const double low = std::max(low_p, low_q), high = std::min(high_p, high_q);
+  if (high - low < least_length_) {
+    if (low < high) user_->refused(p_, q_, low, high, Refusal::short_section);
+    return false;
+  }
+  places_ = {low, high};
+  for (const LineChain* chain : {&p, &q})
+    for (const Station& s : chain->stations)
+      if (s.place > low && s.place < high) places_.push_back(s.place);
+  std::sort(places_.begin(), places_.end());
+  places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+  return form_between(0, places_.size() - 1);
+}
+
+/// Tries sections from near the one place to near the other, longest first; where none will do, those in each
+/// half.
+bool SectionSearch::form_between(std::size_t low, std::size_t high) {
+  constexpr std::size_t kEnds = 4;
+  for (std::size_t less = 0; less < 2 * kEnds - 1; ++less)
+    for (std::size_t i = less < kEnds ? 0 : less - kEnds + 1; i <= std::min(less, kEnds - 1); ++i)
+      if (low + i + (less - i) < high && form_section(places_[low + i], places_[high - (less - i)]))
+        return true;
+  if (high - low < 2) return false;
+  const std::size_t middle = low + (high - low) / 2;
+  return form_between(low, middle) || form_between(middle, high);
+}
+
+bool SectionSearch::form_section(double begin, double end) {
+  const Refusal refusal = try_section(begin, end);
+  if (refusal == Refusal::none) return true;
+  user_->refused(p_, q_, begin, end, refusal);
+  return false;
+}
+
+Refusal SectionSearch::try_section(double begin, double end) {
+  const double least = kLeastSharedSteps * e_.step;
+  if (end - begin < least_length_) return Refusal::short_section;
+  if (goes_on_beyond(begin, end)) return Refusal::goes_on;
+  const auto p = section_of(p_, begin, end), q = section_of(q_, begin, end);
+  if (!p || !q) return Refusal::inside_shared;
+  const Content on_p = content_of(p_, *p), on_q = content_of(q_, *q);
+  // Part of an open edge on both, or shared edges that become one.
+  const bool gains = (on_p.open >= least && on_q.open >= least) || on_p.shared.size() >= 2;
+  if (!gains) return Refusal::nothing_opposite;
+  if (!correspond(on_p.shared, on_q.shared)) return Refusal::other_pairs;
+  if (!near_or_by_chance(e_, p_, *p) || !near_or_by_chance(e_, q_, *q)) return Refusal::bay;
+  // An end that is anchored on one side only would leave the copies apart.
+  if (p->begin_anchored != q->begin_anchored || p->end_anchored != q->end_anchored)
+    return Refusal::one_sided_end;
+  return user_->form({p_, q_, *p, *q, seen_in(a_, p->begin.place), seen_in(a_, p->end.place),
+                      seen_in(b_, p->begin.place), seen_in(b_, p->end.place), !on_p.shared.empty()});
+}
+
+/// Are these the same pairs?
+bool SectionSearch::correspond(const std::vector<EdgeId>& on_p, const std::vector<EdgeId>& on_q) const {
+  if (on_p.size() != on_q.size()) return false;
+  return std::all_of(on_p.begin(), on_p.end(), [&](EdgeId edge) {
+    return std::binary_search(on_q.begin(), on_q.end(), e_.shared.at(edge.value).partner);
+  });
+}
+
+geometry::Point2 SectionSearch::seen_in(const Segment& s, double place) const {
+  return geometry::round_to_grid(s.polygon->chart.project(line_.at(sign_ * place)));
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,76 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <limpet/model/open_edges.hpp>
+#include <vector>
+
+#include "sections_internal.hpp"
+
+namespace limpet::model::internal {
+
+/// Sections P and Q that fulfil the conditions of thesis §2.6, but for those on the changed perimeters.
+struct SectionPair {
+  const Side &side_p, &side_q;
+  const Section &p, &q;
+  geometry::Point2 begin_p, end_p, begin_q, end_q;  ///< of L in the two charts
+  bool joins = false;                               ///< edges that the two share become part of L
+};
+
+/// All chains of two segments along their line, and how the two meet there.
+struct PairOfChains {
+  std::vector<LineChain> of_a, of_b;
+  Concavity concavity = Concavity::undecided;
+};
+/// Nothing when one of the two has no chain in the window.
+std::optional<PairOfChains> chains_of_both(const Engine&, const Segment& a, const Segment& b,
+                                           const CommonLine&, const LineWindow&, const SharingReach&);
+
+/// What is done with the pairs of sections that a search finds.
+class SectionUser {
+ public:
+  virtual ~SectionUser() = default;
+  /// Refusal::none ends the search.
+  virtual Refusal form(const SectionPair&) = 0;
+  /// Between these places of the line nothing could be formed from sections on the two sides.
+  virtual void refused(const Side&, const Side&, double /*begin*/, double /*end*/, Refusal) {}
+};
+
+/// Looks for sections on chains of two segments along their line, the longest first.
+class SectionSearch {
+ public:
+  /// Precondition: the concavity is decided.
+  SectionSearch(const Engine&, const Segment& a, const Segment& b, const CommonLine&, const SharingReach&,
+                const PairOfChains&);
+
+  /// Whether one was formed.
+  bool run(SectionUser&);
+
+ private:
+  /// A stretch of a chain that lies beyond the line.
+  struct Beyond {
+    double begin, end;
+    std::size_t chain;
+  };
+  static std::vector<Beyond> beyond_line(const std::vector<LineChain>&);
+  bool goes_on_beyond(double begin, double end) const;
+  bool form(const LineChain& p, const LineChain& q);
+  bool form_between(std::size_t low, std::size_t high);
+  bool form_section(double begin, double end);
+  Refusal try_section(double begin, double end);
+  bool correspond(const std::vector<geometry::EdgeId>& on_p, const std::vector<geometry::EdgeId>& on_q) const;
+  geometry::Point2 seen_in(const Segment&, double place) const;
+
+  const Engine& e_;
+  const Segment &a_, &b_;
+  const CommonLine& line_;
+  double sign_;
+  double least_length_;  ///< of L, scan's unit
+  std::vector<LineChain> chains_p_, chains_q_;
+  std::vector<Beyond> beyond_p_, beyond_q_;
+  SectionUser* user_ = nullptr;
+  std::size_t p_at_ = 0, q_at_ = 0;  ///< the chains in hand
+  Side p_, q_;
+  std::vector<double> places_;
+};
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,124 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "sections_internal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <limpet/geometry/predicates.hpp>
+
+namespace limpet::model::internal {
+namespace {
+
+using geometry::EdgeId;
+using geometry::Point2;
+using geometry::Slot;
+
+constexpr double kSameSteps = 3;  ///< grid steps: nearer than this a cut is at the vertex itself
+
+/// The point at this place between two stations, or the one of them that it is hardly beside.
+Station between(const Station& a, const Station& b, double place) {
+  const double fraction = (place - a.place) / (b.place - a.place);
+  Station s{place, a.offset + fraction * (b.offset - a.offset),
+            geometry::round_to_grid(a.at + fraction * (b.at - a.at)), geometry::kNoSlot};
+  for (const Station* end : {&a, &b})
+    if (geometry::squared_length(s.at - end->at) <= kSameSteps * kSameSteps)
+      s.at = end->at, s.vertex = end->vertex, s.offset = end->offset;
+  return s;
+}
+
+}  // namespace
+
+LineChain turned(LineChain chain, bool reverse, double sign) {
+  if (reverse) {
+    std::reverse(chain.stations.begin(), chain.stations.end());
+    std::reverse(chain.edges.begin(), chain.edges.end());
+  }
+  for (Station& s : chain.stations) s.place *= sign, s.offset *= reverse ? -sign : sign;
+  return chain;
+}
+
+std::optional<Section> section_of(const Side& side, double begin, double end) {
+  std::optional<std::size_t> low;
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    if (side.station(i).place <= begin) low = i;
+    if (side.station(i).place < end || !low || *low == i) continue;
+    Section s;
+    const Station &a = side.station(*low), &b = side.station(*low + 1);
+    s.first_edge = *low, s.last_edge = i - 1;
+    if (a.place < begin && side.shared(*low)) return std::nullopt;
+    s.begin = a.place == begin ? a : between(a, b, begin);
+    s.begin_anchored = a.place == begin && side.anchor(*low);
+    const Station &c = side.station(i - 1), &d = side.station(i);
+    if (d.place > end && side.shared(i - 1)) return std::nullopt;
+    s.end = d.place == end ? d : between(c, d, end);
+    s.end_anchored = d.place == end && side.anchor(i);
+    return s;
+  }
+  return std::nullopt;
+}
+
+Content content_of(const Side& side, const Section& section) {
+  Content content;
+  for (std::size_t i = section.first_edge; i <= section.last_edge; ++i) {
+    if (side.shared(i)) {
+      content.shared.push_back(side.perimeter().node(side.chain->edges[i]).edge);
+      continue;
+    }
+    const double from = std::max(side.station(i).place, section.begin.place),
+                 to = std::min(side.station(i + 1).place, section.end.place);
+    content.open += std::max(0.0, to - from);
+  }
+  std::sort(content.shared.begin(), content.shared.end());
+  return content;
+}
+
+bool near_or_by_chance(const Engine& e, const Side& side, const Section& section) {
+  const double lambda = e.parameters.resolution;
+  double area = 0;  // of the bay that P is in
+  std::size_t points = 0;
+  bool far = section.begin.offset >= lambda;
+  const auto bay_ends = [&] {
+    const bool chance = !far || empty_by_chance(e, *side.segment, area / (e.step * e.step), points);
+    area = 0, points = 0, far = false;
+    return chance;
+  };
+  Station last = section.begin;
+  const auto go_on_to = [&](const Station& next) {
+    if (next.offset <= -lambda) return false;  // the segment goes on beyond the line
+    area += (next.place - last.place) * (last.offset + next.offset) / 2;
+    ++points;
+    far |= next.offset >= lambda;
+    last = next;
+    return next.offset >= lambda / 4 || bay_ends();
+  };
+  for (std::size_t i = section.first_edge + 1; i <= section.last_edge; ++i)
+    if (!go_on_to(side.station(i))) return false;
+  return section.begin.offset > -lambda && go_on_to(section.end) && bay_ends();
+}
+
+geometry::Edit edit_for(const Side& side, const Section& section, Point2 l1, Point2 l2, EdgeId id) {
+  const bool r = side.reversed;
+  const Station &first = r ? section.end : section.begin, &last = r ? section.begin : section.end;
+  const bool first_anchored = r ? section.end_anchored : section.begin_anchored,
+             last_anchored = r ? section.begin_anchored : section.end_anchored;
+  const Slot first_edge = side.chain->edges[r ? section.last_edge : section.first_edge],
+             last_edge = side.chain->edges[r ? section.first_edge : section.last_edge];
+  if (r) std::swap(l1, l2);
+  const bool first_cut = first.vertex == geometry::kNoSlot, last_cut = last.vertex == geometry::kNoSlot;
+
+  geometry::Chain chain{
+      first_cut ? first_edge : first.vertex, {}, last_cut ? side.perimeter().next(last_edge) : last.vertex};
+  if (first_cut && first.at != l1) chain.via.push_back({first.at});
+  if (!first_cut && (first_anchored || first.at == l1)) {
+    chain.edge = id, chain.shared = true;
+  } else {
+    chain.via.push_back({l1, id, true});
+  }
+  if (last_cut || (!last_anchored && last.at != l2)) chain.via.push_back({l2});
+  if (last_cut && last.at != l2) chain.via.push_back({last.at});
+  geometry::Edit edit;
+  edit.chains.push_back(std::move(chain));
+  return edit;
+}
+
+}  // namespace limpet::model::internal
