@@ -2,7 +2,8 @@
 //
 // How good are the models? Simulated scans of known shapes are modelled and judged by the truth.
 //
-//     limpet_quality --shapes cube,L --points 10000,100000 --noise 0,0.002,0.005 --orders raster,shuffled
+//     limpet_quality --shapes cube,L,MESH.off --points 10000,100000 --noise 0,0.002,0.005 --orders
+//     raster,shuffled
 //                    --outliers 0,0.01 --seeds 10 [--rules limpet] [--csv FILE] [--audit-every N]
 //                    [--keep DIR]
 //
@@ -12,10 +13,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <sstream>
+#include <tuple>
 
 #include <CLI/CLI.hpp>
 
@@ -59,6 +62,8 @@ struct Case {
 
 struct Run {
   bool right = false;  ///< as many polygons as faces, with their holes
+  bool complete =
+      false;  ///< all faces were scanned so that they count: the model should be closed as the truth is
   int counted = 0, represented = 0, extra = 0, wrong_holes = 0;
   double worst_angle_deg = 0, overshoot = 0, shortfall = 0;  ///< in λ, the two last
   int bad_angles = 0;
@@ -88,6 +93,24 @@ simulation::NearestSurface nearest_to(const simulation::Mesh& mesh) {
   return simulation::NearestSurface(triangles);
 }
 
+/// What refused the open edges of each face a neighbour: "face 3 beside 5: bay 7; ".
+std::string refusals(const model::Model& model, const model::ModelRecord& record,
+                     const simulation::FacesReport& report) {
+  std::map<std::uint64_t, int> face_of;
+  for (std::size_t i = 0; i < record.polygon_segments.size(); ++i)
+    face_of[record.polygon_segments[i].id] = report.polygons[i].face;
+  std::map<std::tuple<int, int, std::string>, int> count;
+  for (const auto& open : model.open_edges())
+    ++count[{face_of[open.segment.value], open.other ? face_of[open.other.value] : -1, name(open.refusal)}];
+  std::string text;
+  for (const auto& [what, edges] : count) {
+    const auto& [face, beside, refusal] = what;
+    text += "face " + std::to_string(face) + " beside " + std::to_string(beside) + ": " + refusal + " " +
+            std::to_string(edges) + "; ";
+  }
+  return text;
+}
+
 /// `name` is a shape; a thin plate without its thickness is one whose two sides are λ/2 apart.
 Case make_case(const Arguments& args, const std::string& name, std::int64_t points, double noise_ratio,
                const std::string& order, double outliers) {
@@ -104,6 +127,7 @@ Case make_case(const Arguments& args, const std::string& name, std::int64_t poin
     c.scene.mesh = simulation::make_scene(c.shape).mesh;
     c.min_width = c.resolution;
   }
+  c.shape = std::filesystem::path(c.shape).stem().string();  // of a mesh file
   if (args.resolution > 0) return c;
   if (c.resolution > c.scene.feature / 5)
     c.skipped = "resolution above feature/5";
@@ -169,6 +193,7 @@ Run run(const Arguments& args, const Case& c, int seed) {
     r.extra += p.extra && (p.face < 0 || report.faces[static_cast<std::size_t>(p.face)].counts);
   r.wrong_holes = report.wrong_holes;
   r.right = r.represented == r.counted && r.extra == 0 && r.wrong_holes == 0;
+  r.complete = static_cast<std::size_t>(report.counted) == report.faces.size();
   r.worst_angle_deg = report.max_angle * 180 / M_PI;
   for (const auto& p : report.polygons) {
     const bool counts = p.face >= 0 && report.faces[static_cast<std::size_t>(p.face)].counts;
@@ -181,8 +206,7 @@ Run run(const Arguments& args, const Case& c, int seed) {
   r.closed = topology.closed, r.isomorphic = topology.isomorphic;
   r.true_shared = topology.true_shared, r.shared = topology.shared, r.false_shared = topology.false_shared;
   r.vertex_distance = topology.vertex_distance / c.resolution;
-  if (!r.isomorphic)
-    for (const auto& fault : topology.faults) r.faults += fault + "; ";
+  if (!r.isomorphic) r.faults += refusals(model, record, report);
   const auto labels = model.labels();
   std::map<std::uint64_t, bool> is_polygon;
   for (const auto& p : record.polygon_segments) is_polygon[p.id] = true;
@@ -212,7 +236,8 @@ void report_case(const Case& c, const std::vector<Run>& runs) {
     return;
   }
   Run worst;
-  int right = 0, counted = 0, represented = 0, extra = 0, bad_angles = 0, closed = 0, isomorphic = 0;
+  int right = 0, counted = 0, represented = 0, extra = 0, bad_angles = 0, closed = 0, isomorphic = 0,
+      complete = 0;
   double seconds = 0, points = 0;
   for (const Run& r : runs) {
     right += r.right, counted += r.counted, represented += r.represented, extra += r.extra,
@@ -221,7 +246,7 @@ void report_case(const Case& c, const std::vector<Run>& runs) {
     worst.worst_angle_deg = std::max(worst.worst_angle_deg, r.worst_angle_deg);
     worst.overshoot = std::max(worst.overshoot, r.overshoot);
     worst.shortfall = std::max(worst.shortfall, r.shortfall);
-    closed += r.closed, isomorphic += r.isomorphic;
+    closed += r.closed, isomorphic += r.isomorphic, complete += r.complete;
     worst.true_shared += r.true_shared, worst.shared += r.shared, worst.false_shared += r.false_shared;
     worst.vertex_distance = std::max(worst.vertex_distance, r.vertex_distance);
     worst.loose = std::max(worst.loose, r.loose);
@@ -230,14 +255,14 @@ void report_case(const Case& c, const std::vector<Run>& runs) {
     worst.violations += r.violations;
   }
   std::printf(
-      "%-10s %8ld noise %.3f %-8s outliers %.2f  right %d/%zu  closed %d same topology %d "
+      "%-10s %8ld noise %.3f %-8s outliers %.2f  right %d/%zu  closed %d same topology %d/%d "
       "(vertices within %.2fλ; shared %d of %d, false %d)  faces %d/%d extra %d  angle %.2f° (bad %d)  "
       "outside %.2fλ inside %.2fλ  loose %.2f%%  kept out %.1f%% (of far ones %.1f%%)  violations %zu  %.2f "
       "µs/point\n",
       c.shape.c_str(), c.points, c.noise_ratio, c.order.c_str(), c.outliers, right, runs.size(), closed,
-      isomorphic, worst.vertex_distance, worst.shared, worst.true_shared, worst.false_shared, represented,
-      counted, extra, worst.worst_angle_deg, bad_angles, worst.overshoot, worst.shortfall, 100 * worst.loose,
-      100 * worst.outliers_kept_out, 100 * worst.far_outliers_kept_out, worst.violations,
+      isomorphic, complete, worst.vertex_distance, worst.shared, worst.true_shared, worst.false_shared,
+      represented, counted, extra, worst.worst_angle_deg, bad_angles, worst.overshoot, worst.shortfall,
+      100 * worst.loose, 100 * worst.outliers_kept_out, 100 * worst.far_outliers_kept_out, worst.violations,
       1e6 * seconds / points);
   std::fflush(stdout);
 }
@@ -274,7 +299,7 @@ int main(int argc, char** argv) {
            "seconds,"
            "faults\n";
   }
-  int all = 0, right = 0, same = 0;
+  int all = 0, right = 0, same = 0, complete = 0;
   for (const auto& shape : args.shapes) {
     for (const auto points : args.points)
       for (const double noise : args.noise)
@@ -286,7 +311,7 @@ int main(int argc, char** argv) {
                  ++seed) {
               runs.push_back(run(args, c, seed));
               const Run& r = runs.back();
-              ++all, right += r.right, same += r.isomorphic;
+              ++all, right += r.right, same += r.complete && r.isomorphic, complete += r.complete;
               if (!r.right || !r.isomorphic || r.violations)
                 std::printf("  seed %d: %s\n", seed, r.faults.c_str());
               csv << shape << ',' << points << ',' << noise << ',' << order << ',' << outliers << ',' << seed
@@ -300,6 +325,6 @@ int main(int argc, char** argv) {
             report_case(c, runs);
           }
   }
-  std::printf("right %d of %d, same topology %d\n", right, all, same);
+  std::printf("right %d of %d; same topology %d of %d with all faces scanned\n", right, all, same, complete);
   return 0;
 }

@@ -167,12 +167,14 @@ class Layout {
   double legend(double top) {
     const double size = 9.5 * unit_;
     double left = margin_, middle = top + size / 2;
+    const auto make_room = [&](double width) {
+      if (left == margin_ || left + width <= options_.width - margin_) return;
+      left = margin_;
+      top += 2 * size;
+      middle += 2 * size;
+    };
     const auto entry = [&](const std::string& text, double length, double width, const Color& color) {
-      if (left > margin_ && left + length + width + text_width(text, size) > options_.width - margin_) {
-        left = margin_;
-        top += 2 * size;
-        middle += 2 * size;
-      }
+      make_room(length + width + 8 * unit_ + text_width(text, size));
       const double start = left + width / 2;
       sheet_.marks.push_back({{start, middle}, {start + length, middle}, width, color});
       left += length + width + 8 * unit_;
@@ -188,12 +190,14 @@ class Layout {
     if (options_.vertices) entry("vertex", 0, 6.4 * unit_, kInk);
     if (options_.loose_points) entry("point segment", 0, 4.4 * unit_, kLoosePoint);
     entry("back side", 10 * unit_, 10 * unit_, kBackSide);
+    const std::string per_segment = "a colour per segment";
+    make_room(54 * unit_ + text_width(per_segment, size));
     for (std::uint64_t id = 1; id <= 4; ++id) {
       sheet_.marks.push_back(
           {{left + 5 * unit_, middle}, {left + 5 * unit_, middle}, 10 * unit_, segment_color(id)});
       left += 12 * unit_;
     }
-    label("a colour per segment", left + 6 * unit_, top, size, 1e9, kPale);
+    label(per_segment, left + 6 * unit_, top, size, 1e9, kPale);
     return top + size + margin_;
   }
 

@@ -53,14 +53,19 @@ std::optional<RingPart> part_after(const Engine& e, const Segment& s, Slot first
   return part;
 }
 
-/// When finishing, a bay at the corner that chance alone leaves may be deeper than λ (rule `voids`).
-bool bay_by_chance(const Engine& e, const RingPart& part) {
+/// When finishing, a bay at the corner that chance alone leaves may be deeper than λ (rule `voids`), and a
+/// spur longer.
+bool gives_way(const Engine& e, const RingPart& part) {
   const geometry::Polygon& perimeter = part.segment->polygon->perimeter;
-  double twice_area = 0;  // of what lies between P and the corner, on the right of P
-  for (std::size_t i = 0; i + 1 < part.between.size(); ++i)
-    twice_area -=
-        cross(perimeter.at(part.between[i]) - part.corner, perimeter.at(part.between[i + 1]) - part.corner);
-  return empty_by_chance(e, *part.segment, twice_area / 2, part.between.size());
+  double twice_area = 0, depth = 0;  // of what lies between P and the corner, on the right of P
+  for (std::size_t i = 0; i + 1 < part.between.size(); ++i) {
+    const Point2 p = perimeter.at(part.between[i]) - part.corner,
+                 q = perimeter.at(part.between[i + 1]) - part.corner;
+    twice_area -= cross(p, q);
+    depth = std::max(depth, std::sqrt(squared_length(q)));
+  }
+  return twice_area > 0 ? empty_by_chance(e, *part.segment, twice_area / 2, part.between.size())
+                        : is_spur(e, twice_area / 2, depth);
 }
 
 /// The conditions on one segment's lines, distances and directions; sets the corner.
@@ -85,7 +90,7 @@ Refusal fit_corner(const Engine& e, RingPart& part, const SharingReach& reach) {
     reached = (p + t * d - *corner).squaredNorm() < lambda2;
   }
   if (!reached) return Refusal::corner_far;
-  if (far && !(reach.section > 1 && bay_by_chance(e, part))) return Refusal::corner_bay;
+  if (far && !(reach.section > 1 && gives_way(e, part))) return Refusal::corner_bay;
   // The directions along e₁ and e₂ stay.
   const Point2 u = polygon.perimeter.at(part.before), w = polygon.perimeter.end(part.after);
   const Point2 d1 = polygon.perimeter.end(part.before) - u, d2 = w - polygon.perimeter.at(part.after);

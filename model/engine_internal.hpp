@@ -393,6 +393,9 @@ bool empty_by_chance(double area, std::size_t k, std::int64_t m, double density,
 /// The same of a bay in the segment's perimeter, or a hole, with k points around it.
 bool empty_by_chance(const Engine&, const Segment&, double area, std::size_t k);
 bool drop_chance_holes(Engine&, Segment&);
+/// Is a part of a polygon that goes on beyond a line so thin, or so small, that it is no surface at this
+/// resolution? Lengths in grid steps.
+bool is_spur(const Engine&, double area, double depth);
 
 // update.cpp: §2.3
 void update_set(Engine&, std::span<const SensorPoint>);

@@ -8,7 +8,7 @@
 namespace limpet::model {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool Rules::*>, 15> kRules = {{
+constexpr std::array<std::pair<const char*, bool Rules::*>, 16> kRules = {{
     {"promotion", &Rules::promotion},
     {"chance", &Rules::chance},
     {"patch", &Rules::patch},
@@ -21,6 +21,7 @@ constexpr std::array<std::pair<const char*, bool Rules::*>, 15> kRules = {{
     {"near", &Rules::near},
     {"holes", &Rules::holes},
     {"voids", &Rules::voids},
+    {"spurs", &Rules::spurs},
     {"position", &Rules::position},
     {"finish", &Rules::finish},
     {"expiry", &Rules::expiry},

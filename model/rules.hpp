@@ -24,6 +24,7 @@ struct Rules {
   bool holes = true;    ///< polygons have holes; perimeters are bridged where they meet themselves
   bool voids =
       true;  ///< when finishing, holes that chance alone would leave empty at the scan's density are dropped
+  bool spurs = true;  ///< when finishing, what goes on beyond a line, but is small or thin, gives way to it
   bool position =
       true;  ///< when finishing, segments that lie on larger ones and have no neighbours are deleted
   bool finish = true;  ///< at the end of input everything is tried again until nothing changes

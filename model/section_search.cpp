@@ -57,6 +57,7 @@ SectionSearch::SectionSearch(const Engine& e, const Segment& a, const Segment& b
   beyond_q_ = beyond_line(chains_q_);
   // At the apex of a pyramid opposite faces come within λ of their common line, too, for about as long.
   const bool neighbours = !edges_between(e, a, b).empty();
+  overshoot_ = reach.section > 1 ? e.parameters.resolution : 0;
   least_length_ = neighbours ? kLeastSharedSteps * e.step : reach.least * e.parameters.resolution;
 }
 
@@ -101,6 +102,11 @@ bool SectionSearch::form(const LineChain& p, const LineChain& q) {
     return false;
   }
   places_ = {low, high};
+  // Where the ends are in the way of each other, as tiny edges around an apex may be, sections end before
+  // them.
+  const double trimmed = e_.parameters.resolution / 8;
+  if (overshoot_ > 0 && high - low > 4 * trimmed)
+    places_.insert(places_.end(), {low + trimmed, high - trimmed});
   for (const LineChain* chain : {&p, &q})
     for (const Station& s : chain->stations)
       if (s.place > low && s.place < high) places_.push_back(s.place);
@@ -133,14 +139,14 @@ Refusal SectionSearch::try_section(double begin, double end) {
   const double least = kLeastSharedSteps * e_.step;
   if (end - begin < least_length_) return Refusal::short_section;
   if (goes_on_beyond(begin, end)) return Refusal::goes_on;
-  const auto p = section_of(p_, begin, end), q = section_of(q_, begin, end);
+  const auto p = section_of(p_, begin, end, overshoot_), q = section_of(q_, begin, end, overshoot_);
   if (!p || !q) return Refusal::inside_shared;
   const Content on_p = content_of(p_, *p), on_q = content_of(q_, *q);
   // Part of an open edge on both, or shared edges that become one.
   const bool gains = (on_p.open >= least && on_q.open >= least) || on_p.shared.size() >= 2;
   if (!gains) return Refusal::nothing_opposite;
   if (!correspond(on_p.shared, on_q.shared)) return Refusal::other_pairs;
-  if (!near_or_by_chance(e_, p_, *p) || !near_or_by_chance(e_, q_, *q)) return Refusal::bay;
+  if (!gives_way(e_, p_, *p) || !gives_way(e_, q_, *q)) return Refusal::bay;
   // An end that is anchored on one side only would leave the copies apart.
   if (p->begin_anchored != q->begin_anchored || p->end_anchored != q->end_anchored)
     return Refusal::one_sided_end;

@@ -65,6 +65,7 @@ class SectionSearch {
   const CommonLine& line_;
   double sign_;
   double least_length_;  ///< of L, scan's unit
+  double overshoot_;     ///< of sections between ends of shared edges
   std::vector<LineChain> chains_p_, chains_q_;
   std::vector<Beyond> beyond_p_, beyond_q_;
   SectionUser* user_ = nullptr;

@@ -26,6 +26,21 @@ Station between(const Station& a, const Station& b, double place) {
   return s;
 }
 
+/// From one end of a shared edge to another, though what lies between may overshoot both a little.
+std::optional<Section> between_anchors(const Side& side, double begin, double end, double overshoot) {
+  std::optional<std::size_t> first, last;
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    const double place = side.station(i).place;
+    if (place == begin && !first && side.anchor(i)) first = i;
+    if (place == end && first && side.anchor(i)) last = i;
+  }
+  if (!first || !last) return std::nullopt;
+  for (std::size_t i = *first; i <= *last; ++i)
+    if (side.station(i).place < begin - overshoot || side.station(i).place > end + overshoot)
+      return std::nullopt;
+  return Section{side.station(*first), side.station(*last), *first, *last - 1, true, true};
+}
+
 }  // namespace
 
 LineChain turned(LineChain chain, bool reverse, double sign) {
@@ -37,7 +52,8 @@ LineChain turned(LineChain chain, bool reverse, double sign) {
   return chain;
 }
 
-std::optional<Section> section_of(const Side& side, double begin, double end) {
+std::optional<Section> section_of(const Side& side, double begin, double end, double overshoot) {
+  if (const auto section = between_anchors(side, begin, end, overshoot)) return section;
   std::optional<std::size_t> low;
   for (std::size_t i = 0; i < side.size(); ++i) {
     if (side.station(i).place <= begin) low = i;
@@ -72,28 +88,30 @@ Content content_of(const Side& side, const Section& section) {
   return content;
 }
 
-bool near_or_by_chance(const Engine& e, const Side& side, const Section& section) {
-  const double lambda = e.parameters.resolution;
-  double area = 0;  // of the bay that P is in
+bool gives_way(const Engine& e, const Side& side, const Section& section) {
+  const double lambda = e.parameters.resolution, near = lambda / 4;
+  // Of the bay or spur that P is in.
+  double area = 0, highest = section.begin.offset, lowest = section.begin.offset;
   std::size_t points = 0;
-  bool far = section.begin.offset >= lambda;
-  const auto bay_ends = [&] {
-    const bool chance = !far || empty_by_chance(e, *side.segment, area / (e.step * e.step), points);
-    area = 0, points = 0, far = false;
-    return chance;
-  };
   Station last = section.begin;
+  const auto ends = [&] {
+    const double steps2 = area / (e.step * e.step);
+    const bool bay_goes = highest < lambda || empty_by_chance(e, *side.segment, steps2, points),
+               spur_goes = lowest > -lambda || is_spur(e, -steps2, -lowest / e.step);
+    area = highest = lowest = 0, points = 0;
+    return bay_goes && spur_goes;
+  };
   const auto go_on_to = [&](const Station& next) {
-    if (next.offset <= -lambda) return false;  // the segment goes on beyond the line
+    if (last.offset * next.offset < 0 && !ends()) return false;
     area += (next.place - last.place) * (last.offset + next.offset) / 2;
     ++points;
-    far |= next.offset >= lambda;
+    highest = std::max(highest, next.offset), lowest = std::min(lowest, next.offset);
     last = next;
-    return next.offset >= lambda / 4 || bay_ends();
+    return std::abs(next.offset) >= near || ends();
   };
   for (std::size_t i = section.first_edge + 1; i <= section.last_edge; ++i)
     if (!go_on_to(side.station(i))) return false;
-  return section.begin.offset > -lambda && go_on_to(section.end) && bay_ends();
+  return go_on_to(section.end) && ends();
 }
 
 geometry::Edit edit_for(const Side& side, const Section& section, Point2 l1, Point2 l2, EdgeId id) {

@@ -34,8 +34,9 @@ struct Section {
 LineChain turned(LineChain, bool reverse, double sign);
 
 /// The part of the chain that leads from place `begin` to place `end` and projects into L; nothing if there
-/// is none, or an end of it would fall inside a shared edge.
-std::optional<Section> section_of(const Side&, double begin, double end);
+/// is none, or an end of it would fall inside a shared edge. Between ends of shared edges it may overshoot
+/// both ends by so much.
+std::optional<Section> section_of(const Side&, double begin, double end, double overshoot);
 
 /// The shared edges on a section, ascending, and the length along the line of the open ones.
 struct Content {
@@ -45,8 +46,8 @@ struct Content {
 Content content_of(const Side&, const Section&);
 
 /// Where the section is farther than λ from L there must be nothing but bays that chance alone leaves (rule
-/// `voids`), and nowhere may the segment go on beyond the line.
-bool near_or_by_chance(const Engine&, const Side&, const Section&);
+/// `voids`) and, beyond the line, spurs (rule `spurs`).
+bool gives_way(const Engine&, const Side&, const Section&);
 
 /// The change of one perimeter: the section gives way to the edge `id` between the chart points l1 and l2.
 geometry::Edit edit_for(const Side&, const Section&, geometry::Point2 l1, geometry::Point2 l2,

@@ -3,6 +3,7 @@
 // Holes that are only places where by chance no sensor point fell. At five points per λ² an empty disc wider
 // than λ is no rarity, and a perimeter grows around it.
 #include <algorithm>
+#include <cmath>
 
 #include <limpet/geometry/measure.hpp>
 
@@ -40,6 +41,10 @@ bool empty_by_chance(const Engine& e, const Segment& s, double area, std::size_t
   const auto m = s.moments.count();
   if (m == 0) return false;
   return empty_by_chance(area, k, m, static_cast<double>(m) / s.polygon->perimeter.area(), e.gap);
+}
+
+bool is_spur(const Engine& e, double area, double depth) {
+  return e.rules().spurs && std::abs(area) < e.gap / 2 * std::max(depth, 2 * e.gap);
 }
 
 bool drop_chance_holes(Engine& e, Segment& s) {

@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <limpet/simulation/mesh.hpp>
 #include <map>
 #include <set>
@@ -105,6 +106,23 @@ std::vector<Face> faces_of(const Mesh& mesh) {
     });
   }
   return faces;
+}
+
+double narrowest_place(const Mesh& mesh) {
+  double narrowest = std::numeric_limits<double>::infinity();
+  for (const Face& face : faces_of(mesh)) {
+    std::vector<std::pair<Vector3d, Vector3d>> sides;
+    for (const auto& loop : face.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) sides.emplace_back(loop[i], loop[(i + 1) % loop.size()]);
+    for (const auto& [vertex, unused] : sides)
+      for (const auto& [a, b] : sides) {
+        if (vertex == a || vertex == b) continue;
+        const Vector3d along = b - a;
+        const double t = std::clamp(along.dot(vertex - a) / along.squaredNorm(), 0.0, 1.0);
+        narrowest = std::min(narrowest, (vertex - a - t * along).norm());
+      }
+  }
+  return narrowest;
 }
 
 }  // namespace limpet::simulation

@@ -62,7 +62,8 @@ Scene make_scene(const std::string& shape_or_path) {
   if (!is_shape(shape_or_path)) {
     Mesh mesh = load_mesh(shape_or_path);
     std::vector<Vector3d> viewpoints = viewpoints_around(mesh, true);
-    return {std::move(mesh), std::move(viewpoints), 0};
+    const double feature = narrowest_place(mesh);
+    return {std::move(mesh), std::move(viewpoints), feature};
   }
   Scene scene{make_shape(shape_or_path), {}, feature_size(shape_or_path)};
   if (shape_or_path.starts_with("room"))

@@ -12,7 +12,7 @@ namespace limpet::simulation {
 struct Scene {
   Mesh mesh;
   std::vector<Eigen::Vector3d> viewpoints;
-  double feature = 0;  ///< smallest width a model should show; 0: not known
+  double feature = 0;  ///< smallest width a model should show; of a mesh from a file its narrowest_place()
 };
 
 /// Makes a named shape (shapes.hpp) or else reads the mesh file of that name. Throws MeshError.

@@ -157,8 +157,16 @@ TopologyReport judge_topology(const model::ModelRecord& record, const Mesh& trut
   auto of_model = side_loops(record);
   std::vector<int> face_of(of_model.size());  // of each polygon; one below −1, its own, if of none
   for (std::size_t p = 0; p < face_of.size(); ++p) face_of[p] = -2 - static_cast<int>(p);
-  for (const auto& p : faces.polygons)
+  std::vector<int> part_of = face_of;  // the same, but fragments of a face are parts of it
+  for (const auto& p : faces.polygons) {
     if (!p.extra) face_of[static_cast<std::size_t>(p.polygon)] = p.face;
+    if (p.face >= 0) part_of[static_cast<std::size_t>(p.polygon)] = p.face;
+  }
+  std::set<std::pair<int, int>> shared;
+  for (std::size_t p = 0; p < of_model.size(); ++p)
+    for (const SideLoop& loop : of_model[p])
+      for (const int beyond : loop.beyond)
+        if (beyond >= 0) shared.insert(std::minmax(part_of[p], part_of[static_cast<std::size_t>(beyond)]));
   report.closed = !of_model.empty();
   for (auto& loops : of_model)
     for (SideLoop& loop : loops)
@@ -172,7 +180,7 @@ TopologyReport judge_topology(const model::ModelRecord& record, const Mesh& trut
   for (std::size_t p = 0; p < of_model.size(); ++p)
     if (face_of[p] >= 0) polygon_of[static_cast<std::size_t>(face_of[p])] = &of_model[p];
 
-  std::set<std::pair<int, int>> neighbours, shared;
+  std::set<std::pair<int, int>> neighbours;
   for (std::size_t f = 0; f < of_truth.size(); ++f) {
     const int face = static_cast<int>(f);
     for (const SideLoop& loop : of_truth[f])
@@ -192,10 +200,6 @@ TopologyReport judge_topology(const model::ModelRecord& record, const Mesh& trut
     for (const SideLoop& loop : *polygon_of[f]) fault += " " + described(loop);
     report.faults.push_back(std::move(fault));
   }
-  for (std::size_t p = 0; p < of_model.size(); ++p)
-    for (const SideLoop& loop : of_model[p])
-      for (const int beyond : loop.beyond)
-        if (beyond != -1) shared.insert(std::minmax(face_of[p], beyond));
   report.true_shared = static_cast<int>(neighbours.size());
   for (const auto& pair : shared) (neighbours.count(pair) ? report.shared : report.false_shared) += 1;
   report.isomorphic = report.faces == static_cast<int>(of_truth.size()) && of_model.size() == of_truth.size();

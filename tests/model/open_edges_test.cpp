@@ -88,6 +88,25 @@ TEST(OpenEdges, TellOfBays) {
   EXPECT_EQ(refusals(model)[Refusal::bay], 4) << "three around the bay, and the one opposite to it";
 }
 
+/// Points of a third surface may leave a spur where it crosses the plane (rule `spurs`). What is wide goes
+/// on.
+TEST(OpenEdges, OfSpursGiveWayToTheLine) {
+  const auto with_tab = [](double width, double depth) -> Loop {
+    return {{0, 0, 0},           {0.5, 0, 0}, {0.5, -depth, 0}, {0.5 + width, -depth, 0},
+            {0.5 + width, 0, 0}, {1, 0, 0},   {1, 1, 0},        {0, 1, 0}};
+  };
+  const double l = kResolution;
+  for (const auto& [width, depth] : {std::pair(0.3 * l, 2.5 * l), std::pair(0.8 * l, 1.1 * l)}) {
+    const Model model = of_faces({with_tab(width, depth), leaning(90)});
+    EXPECT_EQ(model.counts().edges, 8) << width << " × " << depth;
+    EXPECT_EQ(refusals(model), (std::map<Refusal, int>{{Refusal::alone, 6}}));
+    EXPECT_EQ(broken_laws(model.record()), "");
+  }
+  const Model wide = of_faces({with_tab(1.5 * l, 2.5 * l), leaning(90)});
+  EXPECT_EQ(wide.counts().shared_edges, 2);
+  EXPECT_GE(refusals(wide)[Refusal::bay], 4);
+}
+
 TEST(OpenEdges, TellOfCornersCutOff) {
   const double cut = 3 * kResolution;
   const Loop along_xy{{cut, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, cut, 0}};

@@ -120,6 +120,17 @@ TEST(Mesh, CentroidLeavesHolesOut) {
   }
 }
 
+TEST(Mesh, KnowsItsNarrowestPlace) {
+  EXPECT_DOUBLE_EQ(narrowest_place(make_shape("cube")), 1);
+  EXPECT_DOUBLE_EQ(narrowest_place(make_shape("step_hole")), feature_size("step_hole"));
+  EXPECT_NEAR(narrowest_place(make_shape("pyramid")), std::sqrt(5.0 / 6), 1e-12);
+  // A frame 3 wide around a hole 1 wide that is 0.25 from one side.
+  const std::vector<Vector3d> corners{{0, 0, 0}, {3, 0, 0},    {3, 3, 0},    {0, 3, 0},
+                                      {1, 1, 0}, {1, 2.75, 0}, {2, 2.75, 0}, {2, 1, 0}};
+  const std::vector<std::vector<int>> frame{{0, 1, 7, 4}, {1, 2, 6, 7}, {2, 3, 5, 6}, {3, 0, 4, 5}};
+  EXPECT_DOUBLE_EQ(narrowest_place(make_mesh(corners, frame)), 0.25);
+}
+
 TEST(Mesh, EdgesAreCounted) {
   const EdgeCounts sheet =
       count_edges(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}));
