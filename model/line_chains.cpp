@@ -15,21 +15,6 @@ namespace {
 using geometry::Point2;
 using geometry::Slot;
 
-/// Takes the line's part inside a box out of a window.
-bool clip(LineWindow& window, const CommonLine& line, const Box3& box) {
-  for (int i = 0; i < 3; ++i) {
-    const double o = line.origin[i], d = line.along[i];
-    if (std::abs(d) < 1e-12) {
-      if (o < box.min()[i] || o > box.max()[i]) return false;
-      continue;
-    }
-    const double p = (box.min()[i] - o) / d, q = (box.max()[i] - o) / d;
-    window.begin = std::max(window.begin, std::min(p, q));
-    window.end = std::min(window.end, std::max(p, q));
-  }
-  return window.begin < window.end;
-}
-
 class ChainWalk {
  public:
   ChainWalk(const Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
@@ -44,13 +29,7 @@ class ChainWalk {
 
   std::vector<LineChain> all() {
     std::vector<LineChain> chains;
-    const auto edges = seeds();
-    // Most windows have no open edge and nothing to give; when finishing, shared edges are joined, too.
-    if (!e_.finishing && std::all_of(edges.begin(), edges.end(), [&](const auto& seed) {
-          return part_.perimeter.node(seed.second).shared;
-        }))
-      return chains;
-    for (const auto& [edge, slot] : edges)
+    for (const auto& [edge, slot] : seeds())
       if (!visited_.count(static_cast<std::uint32_t>(slot))) chains.push_back(chain_through(slot));
     return chains;
   }
@@ -68,8 +47,11 @@ class ChainWalk {
   /// Edges in the window that come near the line, by identity.
   std::vector<std::pair<geometry::EdgeId, Slot>> seeds() const {
     std::vector<std::pair<geometry::EdgeId, Slot>> found;
-    const double piece = 4 * reach_;
-    const auto pieces = static_cast<int>(std::min(4096.0, std::ceil((window_.end - window_.begin) / piece)));
+    const Point2 across_window =
+        part_.chart.project(line_.at(window_.end)) - part_.chart.project(line_.at(window_.begin));
+    // So many boxes along the line, each with the reach around it, have the smallest area together.
+    const double best = std::sqrt(std::abs(across_window.x * across_window.y)) * e_.step / (2 * reach_);
+    const auto pieces = static_cast<int>(std::clamp(std::round(best), 1.0, 4096.0));
     for (int i = 0; i < pieces; ++i) {
       const double from = window_.begin + (window_.end - window_.begin) * i / pieces,
                    to = window_.begin + (window_.end - window_.begin) * (i + 1) / pieces;
@@ -77,7 +59,9 @@ class ChainWalk {
       box.add(part_.chart.project(line_.at(from)));
       box.add(part_.chart.project(line_.at(to)));
       part_.perimeter.any_edge_near(box.grown(reach_ / e_.step), [&](Slot s) {
-        if (!passable(s)) return false;
+        // Shared edges come into chains from the open ones beside them; to be joined with others they need no
+        // open one, but that can wait for the end.
+        if (part_.perimeter.node(s).shared && !(e_.finishing && passable(s))) return false;
         const Station u = station(s), v = station(part_.perimeter.next(s));
         const bool beside = near(u) || near(v) || (u.offset < 0) != (v.offset < 0);
         if (beside && std::min(u.place, v.place) < window_.end && std::max(u.place, v.place) > window_.begin)
@@ -154,6 +138,20 @@ std::vector<Stretch> stretches_of(const std::vector<LineChain>& chains) {
 }
 
 }  // namespace
+
+bool clip(LineWindow& window, const CommonLine& line, const Box3& box) {
+  for (int i = 0; i < 3; ++i) {
+    const double o = line.origin[i], d = line.along[i];
+    if (std::abs(d) < 1e-12) {
+      if (o < box.min()[i] || o > box.max()[i]) return false;
+      continue;
+    }
+    const double p = (box.min()[i] - o) / d, q = (box.max()[i] - o) / d;
+    window.begin = std::max(window.begin, std::min(p, q));
+    window.end = std::min(window.end, std::max(p, q));
+  }
+  return window.begin < window.end;
+}
 
 std::optional<LineBetween> line_between(const Engine& e, const PolygonPart& a, const PolygonPart& b) {
   const geometry::Plane pa = a.plane(), pb = b.plane();

@@ -59,6 +59,9 @@ struct LineWindow {
   double begin = 0, end = 0;
 };
 
+/// Takes the line's part inside a box out of a window; whether anything is left.
+bool clip(LineWindow&, const CommonLine&, const Box3&);
+
 /// The line where the planes of two polygons meet, and the stretch of it on which both can be near it.
 /// Nothing when the normals differ by less than μ, or there is no such stretch.
 struct LineBetween {

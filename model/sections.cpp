@@ -53,7 +53,8 @@ LineChain turned(LineChain chain, bool reverse, double sign) {
 }
 
 std::optional<Section> section_of(const Side& side, double begin, double end, double overshoot) {
-  if (const auto section = between_anchors(side, begin, end, overshoot)) return section;
+  if (overshoot > 0)
+    if (const auto section = between_anchors(side, begin, end, overshoot)) return section;
   std::optional<std::size_t> low;
   for (std::size_t i = 0; i < side.size(); ++i) {
     if (side.station(i).place <= begin) low = i;

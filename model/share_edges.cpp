@@ -67,16 +67,15 @@ bool may_share(const Engine& e, const Segment& s) { return s.polygon && (e.finis
 /// The pieces of a window where the line comes near places where s has changed, and some way on.
 std::vector<LineWindow> changed_windows(const Engine& e, const CommonLine& line, const LineWindow& window,
                                         const Places& places) {
-  constexpr double kOn = 3;  // λ: so far sections may reach beyond what has changed, at a time
+  constexpr double kOn = 2;  // λ: so far sections may reach beyond what has changed, at a time
   const double lambda = e.parameters.resolution;
   std::vector<LineWindow> result;
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(e.sharing.section * lambda);
   for (const Box3& box : places.boxes()) {
-    const Eigen::Vector3d d = box.center() - line.origin;
-    const double radius = box.diagonal().norm() / 2, reach = radius + 2 * lambda, at = line.along.dot(d);
-    if (d.dot(d) - at * at >= reach * reach) continue;
-    const LineWindow piece{std::max(window.begin, at - radius - kOn * lambda),
-                           std::min(window.end, at + radius + kOn * lambda)};
-    if (piece.begin < piece.end) result.push_back(piece);
+    LineWindow piece = window;
+    if (!clip(piece, line, Box3(box.min() - reach, box.max() + reach))) continue;
+    result.push_back({std::max(window.begin, piece.begin - kOn * lambda),
+                      std::min(window.end, piece.end + kOn * lambda)});
   }
   std::sort(result.begin(), result.end(),
             [](const LineWindow& p, const LineWindow& q) { return p.begin < q.begin; });
