@@ -42,7 +42,8 @@ bool form_corners(Engine& e, Segment& s) {
 }  // namespace
 
 bool form_corners_of_modified(Engine& e) {
-  const Turn turn = modified_polygons(e, [](const PolygonPart& part) { return !part.corners_due.empty(); });
+  const Turn turn =
+      polygons_of(e, e.modified, [](const PolygonPart& part) { return !part.corners_due.empty(); });
   bool any = false;
   for (const auto& [id, slot] : turn)
     if (Segment* s = e.find(id, slot)) any |= form_corners(e, *s);

@@ -109,6 +109,7 @@ void mark_modified(Engine& e, Segment& s) {
   if (s.modified) return;
   s.modified = true;
   e.modified.push_back(s.slot);
+  if (e.parameters.neighbours) e.to_share.push_back(s.slot);
 }
 
 void update_index(Engine& e, Segment& s) {

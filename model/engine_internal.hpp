@@ -57,6 +57,7 @@ struct PolygonPart {
   std::vector<std::pair<geometry::Slot, geometry::EdgeId>> fresh;  ///< edges not yet looked at for fissures
   std::vector<geometry::EdgeId> shared;       ///< its edges that are shared with neighbours, ascending
   Places unshared;                            ///< where the description has changed since step 4 last saw it
+  std::int64_t next_share = 0;                ///< count of its points at which step 4 looks at it again
   std::vector<geometry::EdgeId> corners_due;  ///< shared edges that step 5 has not seen yet
 
   /// A vertex in the world.
@@ -126,6 +127,7 @@ struct Engine {
 
   Counts counts;
   std::vector<std::uint32_t> modified;  ///< slots whose flag is set (thesis §2.3)
+  std::vector<std::uint32_t> to_share;  ///< slots that were modified, and that step 4 has not looked at since
   std::vector<Change> changes;
   std::deque<RawPoint> pending;                           ///< sensor points to be inserted (again)
   std::deque<std::pair<std::int64_t, SegmentId>> by_age;  ///< (last joined, segment), for expiry
@@ -191,16 +193,17 @@ void forward_label(Engine&, SegmentId from, SegmentId to);
 /// Notes that the description changed in `where` (world).
 void description_changed(Engine&, Segment&, const Places& where);
 void count_area(Engine&, PolygonPart&);
-/// Those whose description has changed and that `has_turn`, by identity. What they merge into is not among
-/// them: ask find() before each.
+/// Of the segments in these slots the polygons that `has_turn`, each once, by identity. What they merge into
+/// is not among them: ask find() before each.
 using Turn = std::vector<std::pair<SegmentId, std::uint32_t>>;
 template <class F>
-Turn modified_polygons(const Engine& e, F&& has_turn) {
+Turn polygons_of(const Engine& e, const std::vector<std::uint32_t>& slots, F&& has_turn) {
   Turn turn;
-  for (const std::uint32_t slot : e.modified)
+  for (const std::uint32_t slot : slots)
     if (const Segment* s = e.segments[slot].get(); s && s->polygon && has_turn(*s->polygon))
       turn.emplace_back(s->id, slot);
   std::sort(turn.begin(), turn.end());
+  turn.erase(std::unique(turn.begin(), turn.end()), turn.end());
   return turn;
 }
 /// The polygon segments near these places, but for the one in this slot, by identity.

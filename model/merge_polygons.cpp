@@ -175,7 +175,7 @@ bool merge_polygon_segments(Engine& e, Segment& s1, Segment& s2) {
 
 bool merge_modified_polygons(Engine& e) {
   bool any = false;
-  const Turn turn = modified_polygons(e, [](const PolygonPart& part) { return !part.changed.empty(); });
+  const Turn turn = polygons_of(e, e.modified, [](const PolygonPart& part) { return !part.changed.empty(); });
   for (const auto& [id, slot] : turn) {
     Segment* s = e.find(id, slot);
     if (!s) continue;  // merged away in this round; what it became is modified and has its turn next round

@@ -74,8 +74,8 @@ std::vector<LineWindow> changed_windows(const Engine& e, const CommonLine& line,
   for (const Box3& box : places.boxes()) {
     LineWindow piece = window;
     if (!clip(piece, line, Box3(box.min() - reach, box.max() + reach))) continue;
-    result.push_back({std::max(window.begin, piece.begin - kOn * lambda),
-                      std::min(window.end, piece.end + kOn * lambda)});
+    result.push_back(
+        {std::max(window.begin, piece.begin - kOn * lambda), std::min(window.end, piece.end + kOn * lambda)});
   }
   std::sort(result.begin(), result.end(),
             [](const LineWindow& p, const LineWindow& q) { return p.begin < q.begin; });
@@ -110,11 +110,26 @@ bool share_pair(Engine& e, Segment& a, Segment& b, const Places& places) {
   return count > 0;
 }
 
+/// Is it time to look at a polygon that has changed? Where perimeters still grow, most looks are in vain, so
+/// it is looked at again when it has a thirty-second part more points.
+bool is_due(const Engine& e, const Segment& s) {
+  return may_share(e, s) && (e.finishing || s.moments.count() >= s.polygon->next_share);
+}
+
 }  // namespace
 
 bool share_modified(Engine& e) {
   if (!e.parameters.neighbours) return false;
-  const Turn turn = modified_polygons(e, [](const PolygonPart& part) { return !part.unshared.empty(); });
+  const Turn all = polygons_of(e, e.to_share, [](const PolygonPart& part) { return !part.unshared.empty(); });
+  e.to_share.clear();
+  Turn turn;
+  for (const auto& entry : all) {
+    const Segment& s = e.at(entry.second);
+    if (is_due(e, s))
+      turn.push_back(entry);
+    else
+      e.to_share.push_back(s.slot);
+  }
   std::vector<Places> changed;
   for (const auto& [id, slot] : turn) changed.push_back(std::exchange(e.at(slot).polygon->unshared, {}));
   const auto changed_of = [&](SegmentId id) -> const Places* {
@@ -126,7 +141,7 @@ bool share_modified(Engine& e) {
   bool any = false;
   for (std::size_t i = 0; i < turn.size(); ++i) {
     Segment& s = e.at(turn[i].second);
-    if (!may_share(e, s)) continue;
+    s.polygon->next_share = s.moments.count() + s.moments.count() / 32;
     for (const auto& [id, slot] : polygons_near(e, changed[i], s.slot)) {
       if (!may_share(e, e.at(slot))) continue;
       Places places = changed[i];
