@@ -69,6 +69,14 @@ NoiseArgument parse_noise(const std::string& option, const std::string& text) {
   return noise;
 }
 
+RedundancyArgument parse_redundancy(const std::string& option, const std::string& text) {
+  const auto numbers = to_numbers(text);
+  if (numbers.size() != 2 || numbers[0] < 0 || numbers[1] < 0)
+    throw UsageError(option + " '" + text + "': give a count and a ratio, 0 or more, as in " + option +
+                     " 20,0.05");
+  return {numbers[0], numbers[1]};
+}
+
 std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::string& option,
                                                                 const std::string& text) {
   std::vector<std::pair<std::int64_t, std::int64_t>> ranges;

@@ -21,6 +21,13 @@ Eigen::Vector3d parse_vector(const std::string& option, const std::string& text)
 /// A length that must be positive (or, with `zero`, not negative) and finite. Throws UsageError.
 double parse_length(const std::string& option, const std::string& text, bool zero);
 
+/// ψ and φ (thesis §2.9).
+struct RedundancyArgument {
+  double count = 20, ratio = 0.05;
+};
+/// "N,F", both 0 or more. Throws UsageError.
+RedundancyArgument parse_redundancy(const std::string& option, const std::string& text);
+
 /// "a", "a,b" or "a,b,c": the standard deviation of a reading is a + b · range + c · range².
 struct NoiseArgument {
   double fixed = 0;       ///< a, scan's unit

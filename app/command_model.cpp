@@ -100,6 +100,8 @@ model::Parameters choose_parameters(const ModelArguments& args, PointStream& sca
   parameters.angle_rad = args.angle_deg * M_PI / 180;
   parameters.rules = args.rules;
   parameters.neighbours = !args.open;
+  parameters.redundancy_count = args.redundancy.count;
+  parameters.redundancy_ratio = args.redundancy.ratio;
   const NoiseArgument noise = args.noise ? *args.noise : rounded(ahead.estimate().noise);
   set_noise(parameters, noise);
   if (!args.resolution && !(ahead.estimate().area_per_point > 0)) refuse_few_points(args, scan);

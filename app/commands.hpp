@@ -38,6 +38,7 @@ struct ModelArguments {
   int stages = 0;                ///< models to keep along the way
   std::string initial;           ///< a mesh of faces known beforehand
   bool open = false;             ///< no shared edges, no corner vertices
+  RedundancyArgument redundancy;
   bool quiet = false;
 };
 int run(const ModelArguments&);

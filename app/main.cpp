@@ -80,6 +80,11 @@ void add_model(CLI::App& root, Command& chosen) {
   app.add_option("--initial", args->initial, "Faces known beforehand: they share edges, and stay as they are")
       ->type_name("MESH");
   app.add_flag("--open", args->open, "Leave all edges open: no shared edges, no corner vertices");
+  text_option(
+      app, "--redundancy", "N,F",
+      "A segment of fewer than N points, and of less than the part F of another's, that shares no edge "
+      "with it is redundant (default 20,0.05)",
+      [args](const std::string& text) { args->redundancy = parse_redundancy("--redundancy", text); });
   text_option(app, "--rules", "RULES", "Update rules: limpet, thesis, names to keep, or -names to leave out",
               [args](const std::string& text) {
                 try {

@@ -8,6 +8,7 @@
 //     limpet_bench streams --shapes cube --points 10000000     one long stream, looked at on its way
 //     limpet_bench sizes --boxes 1,10,100                      cities, as many points for each face
 //     limpet_bench latency --boxes 200                         how long one set of 26 takes
+//     limpet_bench redundancy                                   the thresholds of thesis §2.9
 //     limpet_bench polyhedra --shapes cube,step_hole           whole polyhedra beside PolyFit's
 //     limpet_bench report --out DIR [--full]                   all of these: report.md, CSV files
 //
@@ -65,6 +66,7 @@ struct Arguments {
   SizeOptions sizes;
   LatencyOptions latency;
   PolyhedraOptions polyhedra;
+  RedundancyOptions redundancy;
   std::string request;
   ReportOptions report;
 };
@@ -147,6 +149,22 @@ void add_polyhedra(CLI::App& app, Arguments& args) {
   });
 }
 
+void add_redundancy(CLI::App& app, Arguments& args) {
+  RedundancyOptions& options = args.redundancy;
+  auto* c = app.add_subcommand("redundancy", "How psi and phi behave (thesis 2.9)");
+  c->add_option("--shapes", options.shapes)->delimiter(',');
+  c->add_option("--orders", options.orders)->delimiter(',');
+  c->add_option("--points", options.points);
+  c->add_option("--noise", options.noise_ratio, "as a fraction of the shape's size");
+  c->add_option("--outliers", options.outliers, "fraction");
+  c->add_option("--rules", options.rules, "sets of rules, each an argument");
+  c->add_option("--psi", options.psi)->delimiter(',');
+  c->add_option("--phi", options.phi)->delimiter(',');
+  c->add_option("--seeds", options.seeds);
+  c->add_option("--csv", args.csv);
+  c->callback([&args] { show(measure_redundancy(args.redundancy), args.csv); });
+}
+
 void add_report(CLI::App& app, Arguments& args) {
   auto* c = app.add_subcommand("report", "All of these");
   c->add_option("--out", args.report.folder)->required();
@@ -154,7 +172,7 @@ void add_report(CLI::App& app, Arguments& args) {
   c->add_flag("--full", args.report.full, "10^8 points, cities of up to 1000 boxes, more runs; hours");
   c->add_option("--parts", args.report.parts)
       ->delimiter(',')
-      ->check(CLI::IsMember({"latency", "streams", "sizes", "polyhedra", "throughput"}));
+      ->check(CLI::IsMember({"latency", "streams", "sizes", "polyhedra", "redundancy", "throughput"}));
   c->callback([&args] { write_report(args.report, args.limits); });
 }
 
@@ -170,6 +188,7 @@ int run(int argc, char** argv) {
   add_sizes(app, args);
   add_latency(app, args);
   add_polyhedra(app, args);
+  add_redundancy(app, args);
   add_report(app, args);
   auto* c = app.add_subcommand("answer")->group("");
   c->add_option("request", args.request)->required();

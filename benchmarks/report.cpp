@@ -42,7 +42,7 @@ class Report {
                             (has_picture ? "\n![" + title + "](" + name + ".png)\n" : ""));
     std::string all = "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n";
     for (const char* part :
-         {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency", "polyhedra"}) {
+         {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency", "polyhedra", "redundancy"}) {
       std::ifstream file(folder_ + "/" + part + ".md");
       if (file) all += "\n" + std::string(std::istreambuf_iterator<char>(file), {});
     }
@@ -127,16 +127,23 @@ void add_polyhedra(const ReportOptions& options, const Limits& limits, Report& r
              "polyhedra");
 }
 
+void add_redundancy(const ReportOptions& options, const Limits&, Report& report) {
+  RedundancyOptions redundancy;
+  if (!options.full) redundancy.seeds = 2;
+  report.add("Redundant segments",
+             "ψ and φ of thesis §2.9: segments deleted, polygons left over that no face asks for, faces "
+             "missing, and points that fitted nowhere.",
+             measure_redundancy(redundancy), "redundancy");
+}
+
 }  // namespace
 
 void write_report(const ReportOptions& options, Limits limits) {
   if (options.full) limits.peer_seconds = std::max(limits.peer_seconds, 1800.0);
   Report report(options);
-  const std::map<std::string, decltype(&add_latency)> parts{{"latency", add_latency},
-                                                            {"streams", add_streams},
-                                                            {"sizes", add_sizes},
-                                                            {"polyhedra", add_polyhedra},
-                                                            {"throughput", add_throughput}};
+  const std::map<std::string, decltype(&add_latency)> parts{
+      {"latency", add_latency},     {"streams", add_streams},       {"sizes", add_sizes},
+      {"polyhedra", add_polyhedra}, {"redundancy", add_redundancy}, {"throughput", add_throughput}};
   for (const std::string& name : options.parts) parts.at(name)(options, limits, report);
 }
 

@@ -80,4 +80,17 @@ void measure_polyhedra(const PolyhedraOptions&, const Limits&, Table&);
 /// Judges the mesh at "mesh" by the truth (judge_polyhedron.cpp).
 Json answer_judgement(const Json& request);
 
+// ---- The thresholds of redundancy (redundancy.cpp) --------------------------------------------------
+
+struct RedundancyOptions {
+  std::vector<std::string> rules{"limpet", "-dissolve,-position"};
+  std::vector<double> psi{0, 20, 40, 80, 160}, phi{0.01, 0.05, 0.2};
+  std::vector<std::string> shapes{"cube", "pyramid"}, orders{"raster", "shuffled"};
+  std::int64_t points = 10'000;
+  double noise_ratio = 0.01, outliers = 0;
+  int seeds = 5;
+};
+/// All shapes, orders and seeds together, for each set of rules, ψ and φ.
+Table measure_redundancy(const RedundancyOptions&);
+
 }  // namespace limpet::benchmarks
