@@ -360,6 +360,8 @@ void keep_one_concavity(Engine&, Segment& s, std::span<const geometry::EdgeId> e
 void perimeter_made_anew(Engine&, Segment&);
 
 // ordering.cpp: local and global ordering (§2.2)
+/// Is an order broken on one of the boundary cycles of s?
+bool is_disordered(const Engine&, const Segment& s);
 /// Dissolves what is disordered on the boundary cycles of s (§2.4.3, §2.6); whether anything was.
 bool dissolve_disordered(Engine&, Segment& s);
 /// Quick and sure, but not complete: does an edge just shared leave the orderings as they were, because it is

@@ -51,7 +51,7 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> globally_disordered(const
 }
 
 /// A neighbour on one cycle of which the partners do not come in falling order, wrapping once.
-std::optional<std::uint32_t> locally_disordered(Engine& e, const SharedCycle& cycle) {
+std::optional<std::uint32_t> locally_disordered(const Engine& e, const SharedCycle& cycle) {
   // The place of each partner on its own cycle, found by walking that cycle once.
   std::map<std::pair<std::uint32_t, CycleId>, std::vector<EdgeId>> partners;
   for (const EdgeId edge : cycle.edges) {
@@ -79,23 +79,27 @@ void dissolve_pair(Engine& e, Segment& a, Segment& b) {
   dissolve_neighbours(e, a, b);
 }
 
-bool dissolve_first_disorder(Engine& e, Segment& s) {
+/// Neighbours of s whose edges break an order on one of its cycles: one, or two that alternate.
+std::optional<std::pair<std::uint32_t, std::optional<std::uint32_t>>> first_disorder(const Engine& e,
+                                                                                     const Segment& s) {
   const auto& perimeter = s.polygon->perimeter;
   for (const auto& cycle : perimeter.cycles()) {
     if (cycle.size == 0) continue;
     const SharedCycle shared = shared_on(e, perimeter, cycle);
     if (shared.edges.size() < 3) continue;
-    if (const auto other = locally_disordered(e, shared)) {
-      dissolve_pair(e, s, e.at(*other));
-      return true;
-    }
-    if (const auto both = globally_disordered(shared)) {
-      dissolve_pair(e, s, e.at(both->first));
-      dissolve_pair(e, s, e.at(both->second));
-      return true;
-    }
+    if (const auto other = locally_disordered(e, shared)) return std::pair(*other, std::nullopt);
+    if (const auto both = globally_disordered(shared))
+      return std::pair(both->first, std::optional(both->second));
   }
-  return false;
+  return std::nullopt;
+}
+
+bool dissolve_first_disorder(Engine& e, Segment& s) {
+  const auto disorder = first_disorder(e, s);
+  if (!disorder) return false;
+  dissolve_pair(e, s, e.at(disorder->first));
+  if (disorder->second) dissolve_pair(e, s, e.at(*disorder->second));
+  return true;
 }
 
 /// The next shared edge from `s` on, if it is not far.
@@ -122,6 +126,8 @@ bool order_stays(Engine& e, EdgeId edge) {
   }
   return false;
 }
+
+bool is_disordered(const Engine& e, const Segment& s) { return first_disorder(e, s).has_value(); }
 
 bool dissolve_disordered(Engine& e, Segment& s) {
   bool any = false;

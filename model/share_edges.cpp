@@ -18,8 +18,8 @@ constexpr int kMaxPairsFormed = 64;  ///< by one look at two segments
 enum class Formed {
   not_near,  ///< one has no edge near the line: nothing was attempted
   none,
-  in_order,  ///< where the orderings stay what they were
-  to_be_ordered
+  in_order,
+  disordered  ///< and undone
 };
 
 /// Puts L into both perimeters, or into none.
@@ -40,13 +40,23 @@ class PairFormer : public SectionUser {
     perimeter_changed(e_, a_);
     perimeter_changed(e_, b_);
     e_.changes.push_back({Change::Kind::shared, a_.id, b_.id, {}, {id_p, id_q}});
-    formed_ = pair.joins || order_stays(e_, id_p) ? Formed::in_order : Formed::to_be_ordered;
+    formed_ =
+        pair.joins || order_stays(e_, id_p) || keeps_order(id_p) ? Formed::in_order : Formed::disordered;
     return Refusal::none;
   }
 
   Formed formed() const { return formed_; }
 
  private:
+  /// An edge that breaks an order goes again, and the two form no other before the next set. (The thesis
+  /// dissolves all that the two share, §2.6; but the order held before.)
+  bool keeps_order(EdgeId edge) {
+    if (!is_disordered(e_, a_) && !is_disordered(e_, b_)) return true;
+    e_.disordered.insert(std::minmax(a_.id, b_.id));
+    unshare(e_, edge);
+    return false;
+  }
+
   Engine& e_;
   Segment &a_, &b_;
   Formed formed_ = Formed::none;
@@ -93,20 +103,16 @@ bool share_pair(Engine& e, Segment& a, Segment& b, const Places& places) {
   const auto line = line_between(e, *a.polygon, *b.polygon);
   if (!line) return false;
   int count = 0;
-  bool disordered = false, attempted = false;
+  bool attempted = false, disordered = false;
   for (const LineWindow& piece : changed_windows(e, line->line, line->window, places))
-    while (count < kMaxPairsFormed) {
+    while (count < kMaxPairsFormed && !disordered) {
       const Formed formed = share_once(e, a, b, line->line, piece);
       attempted |= formed != Formed::not_near;
-      if (formed == Formed::none || formed == Formed::not_near) break;
-      disordered |= formed == Formed::to_be_ordered;
+      disordered = formed == Formed::disordered;
+      if (formed != Formed::in_order) break;
       ++count;
     }
   if (count == 0 && attempted && edges_between(e, a, b).empty()) note_if_redundant(e, a, b);
-  if (disordered) {
-    dissolve_disordered(e, a);
-    dissolve_disordered(e, b);
-  }
   return count > 0;
 }
 
