@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/mesh_model.hpp>
 #include <limpet/io/drawing.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/native.hpp>
@@ -52,7 +53,7 @@ int run(const DrawArguments& args) {
   }
   std::vector<io::Figure> figures;
   for (const std::string& path : args.models) {
-    model::ModelRecord record = io::load_native(path);
+    model::ModelRecord record = is_mesh_name(path) ? model_of_mesh(path) : io::load_native(path);
     auto open_edges = open_edges_of(record);
     figures.push_back(
         {std::move(record), std::filesystem::path(path).stem().string(), std::move(open_edges)});

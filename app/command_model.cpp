@@ -8,6 +8,7 @@
 #include <limpet/app/commands.hpp>
 #include <limpet/app/estimate.hpp>
 #include <limpet/app/interrupt.hpp>
+#include <limpet/app/mesh_model.hpp>
 #include <limpet/app/point_stream.hpp>
 #include <limpet/app/progress.hpp>
 #include <limpet/app/stages.hpp>
@@ -121,14 +122,6 @@ model::Parameters choose_parameters(const ModelArguments& args, PointStream& sca
     std::fprintf(for_people(args), "chosen from the scan:%s\n", text.c_str());
   }
   return parameters;
-}
-
-/// The planar faces of a mesh.
-std::vector<model::InitialFace> initial_faces(const std::string& path) {
-  std::vector<model::InitialFace> result;
-  for (const simulation::Face& face : simulation::faces_of(simulation::load_mesh(path)))
-    result.push_back({face.loops});
-  return result;
 }
 
 /// A scan that says no axes gets them from its own shape, which can only be a guess.

@@ -198,7 +198,7 @@ void add_compare(CLI::App& root, Command& chosen) {
 void add_draw(CLI::App& root, Command& chosen) {
   auto& app = *root.add_subcommand("draw", "Draw models, without a display; several as stages of growth");
   const auto args = make_command<DrawArguments>(app, chosen);
-  app.add_option("MODEL", args->models, "Native model files, .limpet")->required();
+  app.add_option("MODEL", args->models, "Native model files, .limpet; also meshes and shapes")->required();
   app.add_option("-o,--output", args->picture, "Where to write the picture: .png or .svg")->required();
   app.add_option("--width", args->width, "Of the sheet, in pixels (default 1600)")
       ->check(CLI::Range(200, 16384));

@@ -84,6 +84,9 @@ TEST_F(BadInput, ResolutionAngleAndNoiseOutOfRange) {
   // These readings say along which axes, but not from how far, they were taken.
   expect_refused(model(scan_file, {"--noise", "0.001,0.002"}), "give --noise as one number");
   expect_refused(model(scan_file, {"--tolerance", "-1"}), "--tolerance");
+  for (const std::string value : {"20", "-1,0.1", "x,y", "1,2,3", ""}) {
+    expect_refused(model(scan_file, {"--redundancy", value}), "--redundancy");
+  }
   expect_refused(model(scan_file, {"--set-size", "0"}), "--set-size");
   expect_refused(model(scan_file, {"--viewpoint", "1,2"}), "--viewpoint");
   expect_refused(model(scan_file, {"--rules", "nonsense"}), "nonsense");

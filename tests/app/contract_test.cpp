@@ -32,8 +32,8 @@ TEST_F(Contract, SummaryHasItsKeys) {
   const auto json = nlohmann::json::parse(result.out);
   for (const std::string key :
        {"points", "points_loose", "points_refused", "points_expired", "sets", "segments", "polygons", "holes",
-        "shared_edges", "open_edges", "corner_vertices", "closed", "seconds", "points_per_second",
-        "peak_memory_bytes", "violations", "resolution", "noise"}) {
+        "shared_edges", "open_edges", "open_because", "corner_vertices", "closed", "seconds",
+        "points_per_second", "peak_memory_bytes", "violations", "resolution", "noise"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(json["violations"], 0);

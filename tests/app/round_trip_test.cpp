@@ -44,6 +44,25 @@ TEST_F(RoundTrip, CubeHasSixFaces) {
                 .code,
             0);
   EXPECT_EQ(read(path("m.stage3.limpet")), read(path("m.limpet")));
+  // The truth beside the model: a shape, and a mesh file.
+  for (const std::string& truth : {std::string("cube"), path("m.off")}) {
+    EXPECT_EQ(run({"draw", truth, path("m.limpet"), "-o", path("both.svg")}).code, 0);
+    EXPECT_NE(read(path("both.svg")).find("0 points: 6 polygons, 12 shared edges, 0 open"),
+              std::string::npos);
+  }
+  EXPECT_EQ(run({"draw", path("none.off"), "-o", path("none.svg")}).code, 2);
+}
+
+TEST_F(RoundTrip, TheSummaryTellsWhyEdgesAreOpen) {
+  const auto result = run({"model", scan("c.ply", "open_box", 6000), "-o", path("m.limpet"), "--resolution",
+                           "0.1", "--noise", "0", "--json", path("m.json")});
+  EXPECT_EQ(result.code, 0);
+  const auto summary = nlohmann::json::parse(read(path("m.json")));
+  std::int64_t told = 0;
+  for (const auto& [refusal, count] : summary["open_because"].items()) told += count.get<std::int64_t>();
+  EXPECT_EQ(told, summary["open_edges"]);
+  EXPECT_GT(summary["open_because"]["alone"], 0);
+  EXPECT_NE(result.out.find("no other polygon near"), std::string::npos) << result.out;
 }
 
 TEST_F(RoundTrip, WhatIsNotGivenIsChosenAndSaid) {

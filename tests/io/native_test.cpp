@@ -118,6 +118,25 @@ TEST_F(NativeTest, EveryFieldComesBack) {
   EXPECT_EQ(out.polygon_segments[0].cycles[0][1].partner, 8u);
 }
 
+TEST_F(NativeTest, LinesThatAreLeftOutWhereTheyAreUsualComeBack) {
+  model::ModelRecord in = rich_model();
+  for (const char* word : {"\nneighbours ", "\nredundant "}) {
+    EXPECT_EQ(text_of(in).find(word), std::string::npos) << word;
+  }
+  in.neighbours = false;
+  in.redundancy_count = 80;
+  in.redundancy_ratio = 0.2;
+  in.redundant_by_count = 3;
+  in.redundant_by_position = 4;
+  const model::ModelRecord out = model_of(text_of(in));
+  EXPECT_EQ(out.neighbours, in.neighbours);
+  EXPECT_EQ(out.redundancy_count, in.redundancy_count);
+  EXPECT_EQ(out.redundancy_ratio, in.redundancy_ratio);
+  EXPECT_EQ(out.redundant_by_count, in.redundant_by_count);
+  EXPECT_EQ(out.redundant_by_position, in.redundant_by_position);
+  EXPECT_EQ(text_of(out), text_of(in));
+}
+
 TEST_F(NativeTest, CommentsAreReadOver) {
   std::string text = text_of(cube());
   text.insert(text.find("polygon"), "# a note\n#\n");

@@ -4,7 +4,6 @@
 // enough to tell.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <set>
 
 #include "judged_scan.hpp"
@@ -17,10 +16,7 @@ using namespace testing;
 using simulation::BoxWorld;
 
 /// How many random polyhedra are scanned: LIMPET_SEEDS, else 3.
-const std::uint64_t kSeeds = [] {
-  const char* wanted = std::getenv("LIMPET_SEEDS");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 3;
-}();
+const std::uint64_t kSeeds = wanted("LIMPET_SEEDS", 3);
 
 std::int64_t shared_edges(const Model& model) { return model.counts().shared_edges; }
 

@@ -1,8 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // The promise: after every set, whatever the input, the oracle finds nothing.
-#include <cstdlib>
-
 #include <gtest/gtest.h>
 
 #include "ledger.hpp"
@@ -14,10 +12,7 @@ namespace {
 using namespace testing;
 
 /// How many streams each test reads: LIMPET_STREAMS, else 200.
-const std::uint64_t kStreams = [] {
-  const char* wanted = std::getenv("LIMPET_STREAMS");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 200;
-}();
+const std::uint64_t kStreams = wanted("LIMPET_STREAMS", 200);
 
 TEST(Oracle, FindsNothingAfterAnySetOfAnyStream) {
   for (std::uint64_t seed = 1; seed <= kStreams; ++seed) {

@@ -4,8 +4,6 @@
 // becomes of their neighbours, the oracle finds nothing and the changes tell all.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "neighbour_ledger.hpp"
 #include "solids.hpp"
 
@@ -15,10 +13,7 @@ namespace {
 using namespace testing;
 
 /// How many worlds are scanned: LIMPET_STREAMS, else 20.
-const std::uint64_t kWorlds = [] {
-  const char* wanted = std::getenv("LIMPET_STREAMS");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 20;
-}();
+const std::uint64_t kWorlds = wanted("LIMPET_STREAMS", 20);
 
 double quarter(Random& random, int count) {
   return 0.25 * static_cast<double>(random.below(static_cast<std::uint64_t>(count)));

@@ -4,7 +4,6 @@
 // truth has them (thesis §2.6 to §2.8).
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <limpet/io/welded.hpp>
 
 #include "judged_scan.hpp"
@@ -15,10 +14,7 @@ namespace {
 using namespace testing;
 
 /// How many scans of each shape are taken: LIMPET_SEEDS, else 1.
-const std::uint64_t kSeeds = [] {
-  const char* wanted = std::getenv("LIMPET_SEEDS");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 1;
-}();
+const std::uint64_t kSeeds = wanted("LIMPET_SEEDS", 1);
 
 struct KnownShape {
   std::string name;

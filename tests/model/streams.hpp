@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <span>
 #include <sstream>
 #include <string>
@@ -23,6 +24,12 @@ namespace limpet::model::testing {
 using Eigen::Vector3d;
 using simulation::Random;
 using Points = std::vector<SensorPoint>;
+
+/// How many runs a test makes: as the environment says, else so many.
+inline std::uint64_t wanted(const char* variable, std::uint64_t otherwise) {
+  const char* text = std::getenv(variable);
+  return text ? std::strtoull(text, nullptr, 10) : otherwise;
+}
 
 inline Parameters of_resolution(double resolution) {
   Parameters p;
