@@ -108,6 +108,8 @@ struct SharingReach {
   double least = 2;    ///< no shorter edge makes two segments neighbours
 };
 
+using SlotPair = std::pair<std::uint32_t, std::uint32_t>;
+
 struct Engine {
   explicit Engine(const Parameters&);
 
@@ -127,7 +129,11 @@ struct Engine {
 
   Counts counts;
   std::vector<std::uint32_t> modified;  ///< slots whose flag is set (thesis §2.3)
-  std::vector<std::uint32_t> to_share;  ///< slots that were modified, and that step 4 has not looked at since
+  std::vector<std::uint32_t> to_share;  ///< slots that were modified, and that step 4 has not seen since
+  /// Pairs of slots that step 4 has to look at, the lower one first, and where; and the last it looked at.
+  std::map<SlotPair, Places> looks_due;
+  SlotPair last_look{};
+  std::int64_t looked_at = 0;  ///< counts.points then
   std::vector<Change> changes;
   std::deque<RawPoint> pending;                           ///< sensor points to be inserted (again)
   std::deque<std::pair<std::int64_t, SegmentId>> by_age;  ///< (last joined, segment), for expiry

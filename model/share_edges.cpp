@@ -3,7 +3,7 @@
 // Step 4 of the update: forming shared edges (thesis §2.6). A section P of one perimeter and a section Q of
 // the other are extended to a section L of the line where the two planes meet.
 #include <algorithm>
-#include <set>
+#include <utility>
 
 #include "section_search_internal.hpp"
 
@@ -122,43 +122,44 @@ bool is_due(const Engine& e, const Segment& s) {
   return may_share(e, s) && (e.finishing || s.moments.count() >= s.polygon->next_share);
 }
 
+/// Which pairs are to be looked at, and where, because of what has changed.
+void note_looks_due(Engine& e) {
+  const Turn turn =
+      polygons_of(e, e.to_share, [](const PolygonPart& part) { return !part.unshared.empty(); });
+  e.to_share.clear();
+  for (const auto& [id, slot] : turn) {
+    Segment& s = e.at(slot);
+    if (!is_due(e, s)) {
+      e.to_share.push_back(slot);
+      continue;
+    }
+    s.polygon->next_share = s.moments.count() + s.moments.count() / 32;
+    const Places changed = std::exchange(s.polygon->unshared, {});
+    for (const auto& [other_id, other] : polygons_near(e, changed, slot))
+      if (may_share(e, e.at(other))) e.looks_due[std::minmax(slot, other)].add(changed);
+  }
+}
+
+/// Takes the next look from those that are due, in turn.
+std::pair<SlotPair, Places> next_look(Engine& e) {
+  auto next = e.looks_due.upper_bound(e.last_look);
+  if (next == e.looks_due.end()) next = e.looks_due.begin();
+  e.last_look = next->first;
+  return {next->first, std::move(e.looks_due.extract(next).mapped())};
+}
+
 }  // namespace
 
 bool share_modified(Engine& e) {
   if (!e.parameters.neighbours) return false;
-  const Turn all = polygons_of(e, e.to_share, [](const PolygonPart& part) { return !part.unshared.empty(); });
-  e.to_share.clear();
-  Turn turn;
-  for (const auto& entry : all) {
-    const Segment& s = e.at(entry.second);
-    if (is_due(e, s))
-      turn.push_back(entry);
-    else
-      e.to_share.push_back(s.slot);
-  }
-  std::vector<Places> changed;
-  for (const auto& [id, slot] : turn) changed.push_back(std::exchange(e.at(slot).polygon->unshared, {}));
-  const auto changed_of = [&](SegmentId id) -> const Places* {
-    const auto at = std::lower_bound(turn.begin(), turn.end(), std::pair(id, std::uint32_t{0}));
-    return at != turn.end() && at->first == id ? &changed[static_cast<std::size_t>(at - turn.begin())]
-                                               : nullptr;
-  };
-  std::set<std::pair<SegmentId, SegmentId>> done;
+  note_looks_due(e);
+  // A large polygon asks for many looks at once: they are spread over the sets, one for every four points.
+  std::int64_t looks = 4 + (e.counts.points - std::exchange(e.looked_at, e.counts.points)) / 4;
   bool any = false;
-  for (std::size_t i = 0; i < turn.size(); ++i) {
-    Segment& s = e.at(turn[i].second);
-    s.polygon->next_share = s.moments.count() + s.moments.count() / 32;
-    for (const auto& [id, slot] : polygons_near(e, changed[i], s.slot)) {
-      if (!may_share(e, e.at(slot))) continue;
-      Places places = changed[i];
-      if (const Places* theirs = changed_of(id)) {  // looked at once, where either has changed
-        const std::pair pair = std::minmax(s.id, id);
-        if (done.count(pair)) continue;
-        done.insert(pair);
-        places.add(*theirs);
-      }
-      any |= share_pair(e, s, e.at(slot), places);
-    }
+  while (!e.looks_due.empty() && (e.finishing || looks-- > 0)) {
+    const auto [pair, places] = next_look(e);
+    Segment *a = e.segments[pair.first].get(), *b = e.segments[pair.second].get();
+    if (a && b && may_share(e, *a) && may_share(e, *b)) any |= share_pair(e, *a, *b, places);
   }
   return any;
 }
