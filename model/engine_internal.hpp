@@ -58,6 +58,7 @@ struct PolygonPart {
   std::vector<geometry::EdgeId> shared;       ///< its edges that are shared with neighbours, ascending
   Places unshared;                            ///< where the description has changed since step 4 last saw it
   std::int64_t next_share = 0;                ///< count of its points at which step 4 looks at it again
+  bool shared_later = false;                  ///< it is in Engine::share_later
   std::vector<geometry::EdgeId> corners_due;  ///< shared edges that step 5 has not seen yet
 
   /// A vertex in the world.
@@ -128,8 +129,9 @@ struct Engine {
   std::int64_t modelled_points = 0;  ///< in all polygons
 
   Counts counts;
-  std::vector<std::uint32_t> modified;  ///< slots whose flag is set (thesis §2.3)
-  std::vector<std::uint32_t> to_share;  ///< slots that were modified, and that step 4 has not seen since
+  std::vector<std::uint32_t> modified;    ///< slots whose flag is set (thesis §2.3)
+  std::vector<std::uint32_t> to_share;    ///< slots that were modified since step 4 was last taken
+  std::deque<std::uint32_t> share_later;  ///< slots of polygons that have changed, but were not due then
   /// Pairs of slots that step 4 has to look at, the lower one first, and where; and the last it looked at.
   std::map<SlotPair, Places> looks_due;
   SlotPair last_look{};

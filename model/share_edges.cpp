@@ -124,19 +124,29 @@ bool is_due(const Engine& e, const Segment& s) {
 
 /// Which pairs are to be looked at, and where, because of what has changed.
 void note_looks_due(Engine& e) {
+  constexpr int kWaitingSeen = 8;  // of those that wait, in a set; they have most often been modified, too
+  for (int i = 0; i < kWaitingSeen && !e.share_later.empty(); ++i) {
+    e.to_share.push_back(e.share_later.front());
+    e.share_later.pop_front();
+    if (Segment* s = e.segments[e.to_share.back()].get(); s && s->polygon) s->polygon->shared_later = false;
+  }
   const Turn turn =
       polygons_of(e, e.to_share, [](const PolygonPart& part) { return !part.unshared.empty(); });
   e.to_share.clear();
   for (const auto& [id, slot] : turn) {
     Segment& s = e.at(slot);
     if (!is_due(e, s)) {
-      e.to_share.push_back(slot);
+      if (!std::exchange(s.polygon->shared_later, true)) e.share_later.push_back(slot);
       continue;
     }
     s.polygon->next_share = s.moments.count() + s.moments.count() / 32;
     const Places changed = std::exchange(s.polygon->unshared, {});
-    for (const auto& [other_id, other] : polygons_near(e, changed, slot))
-      if (may_share(e, e.at(other))) e.looks_due[std::minmax(slot, other)].add(changed);
+    for (const auto& [other_id, other] : polygons_near(e, changed, slot)) {
+      if (!may_share(e, e.at(other))) continue;
+      Places& where = e.looks_due[std::minmax(slot, other)];
+      for (const Box3& place : changed.boxes())
+        if (e.at(other).indexed.intersects(place)) where.add(place);
+    }
   }
 }
 
