@@ -53,10 +53,14 @@ int run(const DrawArguments& args) {
   }
   std::vector<io::Figure> figures;
   for (const std::string& path : args.models) {
-    model::ModelRecord record = is_mesh_name(path) ? model_of_mesh(path) : io::load_native(path);
+    const std::string name = std::filesystem::path(path).stem().string();
+    if (is_mesh_name(path)) {
+      figures.push_back({model_of_mesh(path), name});
+      continue;
+    }
+    model::ModelRecord record = io::load_native(path);
     auto open_edges = open_edges_of(record);
-    figures.push_back(
-        {std::move(record), std::filesystem::path(path).stem().string(), std::move(open_edges)});
+    figures.push_back({std::move(record), name, std::move(open_edges)});
   }
   io::DrawOptions options;
   options.width = args.width;

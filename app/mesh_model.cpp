@@ -1,46 +1,58 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/app/mesh_model.hpp>
 
-#include <cstdio>
+#include <Eigen/Geometry>
+#include <array>
 #include <limpet/io/text.hpp>
 #include <limpet/simulation/scene.hpp>
 #include <limpet/simulation/shapes.hpp>
-#include <stdexcept>
+#include <limpet/simulation/topology.hpp>
+#include <map>
+#include <utility>
 
 namespace limpet::app {
-namespace {
-
-std::vector<model::InitialFace> known_faces(const simulation::Mesh& mesh) {
-  std::vector<model::InitialFace> result;
-  for (const simulation::Face& face : simulation::faces_of(mesh)) result.push_back({face.loops});
-  return result;
-}
-
-}  // namespace
-
 std::vector<model::InitialFace> initial_faces(const std::string& path) {
-  return known_faces(simulation::load_mesh(path));
+  std::vector<model::InitialFace> result;
+  for (const simulation::Face& face : simulation::faces_of(simulation::load_mesh(path)))
+    result.push_back({face.loops});
+  return result;
 }
 
 model::ModelRecord model_of_mesh(const std::string& path) {
   const simulation::Mesh mesh = simulation::make_scene(path).mesh;
-  model::Parameters parameters;
-  parameters.resolution = simulation::narrowest_place(mesh) / 20;
-  parameters.angle_rad = 0.02;
-  model::Model model(parameters);
-  int left_out = 0;
-  for (const model::InitialFace& face : known_faces(mesh)) {
-    try {
-      model.add_initial({&face, 1});
-    } catch (const std::invalid_argument&) {
-      ++left_out;
+  const auto faces = simulation::faces_of(mesh);
+  const auto loops_of = simulation::side_loops(mesh);
+  const auto key = [](const Eigen::Vector3d& p) { return std::array<double, 3>{p.x(), p.y(), p.z()}; };
+  using Side = std::pair<std::array<double, 3>, std::array<double, 3>>;
+  std::map<Side, std::uint64_t>
+      edge_of;  // by its ends in the loop's direction: those of its partner, reversed
+  model::ModelRecord record;
+  record.grid_step = 1;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    auto& segment = record.polygon_segments.emplace_back();
+    segment.id = f + 1;
+    segment.chart_origin = faces[f].centroid;
+    segment.chart_normal = faces[f].normal;
+    segment.chart_u = faces[f].normal.unitOrthogonal();
+    segment.chart_v = faces[f].normal.cross(segment.chart_u);
+    for (const auto& loop : loops_of[f]) {
+      auto& cycle = segment.cycles.emplace_back();
+      for (std::size_t i = 0; i < loop.begins.size(); ++i) {
+        const Eigen::Vector3d d = loop.begins[i] - segment.chart_origin;
+        cycle.push_back({d.dot(segment.chart_u), d.dot(segment.chart_v), record.next_edge, 0});
+        edge_of[{key(loop.begins[i]), key(loop.begins[(i + 1) % loop.begins.size()])}] = record.next_edge++;
+      }
     }
   }
-  if (left_out > 0)
-    std::fprintf(stderr, "limpet: warning: %s: %d faces are no simple polygons, and are left out\n",
-                 path.c_str(), left_out);
-  model.finish();
-  return model.record();
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t c = 0; c < loops_of[f].size(); ++c) {
+      const auto& begins = loops_of[f][c].begins;
+      for (std::size_t i = 0; i < begins.size(); ++i)
+        if (const auto partner = edge_of.find({key(begins[(i + 1) % begins.size()]), key(begins[i])});
+            partner != edge_of.end())
+          record.polygon_segments[f].cycles[c][i].partner = partner->second;
+    }
+  return record;
 }
 
 bool is_mesh_name(const std::string& path) {

@@ -51,6 +51,11 @@ TEST_F(RoundTrip, CubeHasSixFaces) {
               std::string::npos);
   }
   EXPECT_EQ(run({"draw", path("none.off"), "-o", path("none.svg")}).code, 2);
+  // A mesh without area, and one with a sliver, are drawn as they are.
+  for (const char* last : {"2 0 0", "2 1e-9 0"}) {
+    const auto mesh = write("thin.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n" + std::string(last) + "\n3 0 1 2\n");
+    EXPECT_EQ(run({"draw", mesh, "-o", path("thin.svg")}).code, 0) << last;
+  }
 }
 
 TEST_F(RoundTrip, TheSummaryTellsWhyEdgesAreOpen) {
