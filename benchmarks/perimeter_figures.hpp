@@ -7,30 +7,31 @@
 
 #include <limpet/geometry/predicates.hpp>
 
+#include "../tests/cases/perimeter_case.hpp"
+
 /// What limpet_perimeter_operations counts.
 namespace limpet::benchmarks {
 
-enum Kind { kExtend, kMerge, kUnite, kFill, kKinds };
-constexpr std::array<const char*, kKinds> kKindNames = {"extend_to_point", "merge_polygons", "unite",
-                                                        "fill_fissures"};
-enum Outcome { kChanged, kNothing, kRefused, kOutcomes };
-constexpr std::array<const char*, kOutcomes> kOutcomeNames = {"changed", "nothing_to_do", "refused"};
-/// What can be wrong with a result.
-enum Fault { kBroken, kAudit, kIdentity, kTouched, kShrunk, kLocate, kException, kFaults };
-constexpr std::array<const char*, kFaults> kFaultNames = {
-    "broken_results", "broken_by_audit", "identity_faults", "refused_but_changed",
-    "area_lost",      "wrong_sides",     "exceptions"};
+inline constexpr std::size_t kKinds = cases::kOperations.size(), kLaws = cases::kPerimeterLaws.size();
+inline constexpr std::array kOutcomeNames = {"changed", "nothing_to_do", "refused"};
 
 /// Shared between parent and child: plain numbers.
 struct Figures {
   std::uint64_t operations = 0, audited = 0;
-  std::array<std::array<std::uint64_t, kOutcomes>, kKinds> outcome{};
-  std::array<std::array<std::uint64_t, kFaults>, kKinds> fault{};
-  std::array<std::uint64_t, kKinds> longest_ns{}, total_ns{};
+  std::array<std::array<std::uint64_t, kOutcomeNames.size()>, kKinds> outcome{};
+  std::array<std::array<std::uint64_t, kLaws>, kKinds> broken{};
+  std::array<std::uint64_t, kKinds> longest_ns{}, total_ns{}, slow{};
   std::array<std::uint64_t, 8> unite_attempt{};  ///< [k]: unions that succeeded at attempt k
   std::array<std::uint64_t, 5> merger{};
   std::uint64_t crashes = 0, hangs = 0, edges_max = 0, holes_max = 0;
-  Kind running = kKinds;
+  std::size_t running = kKinds;
+
+  std::uint64_t faults() const {
+    std::uint64_t n = crashes + hangs;
+    for (const auto& of_kind : broken)
+      for (const std::uint64_t count : of_kind) n += count;
+    return n;
+  }
 };
 
 inline std::string json_of(const Figures& f, std::uint64_t seed, double seconds) {
@@ -42,14 +43,15 @@ inline std::string json_of(const Figures& f, std::uint64_t seed, double seconds)
                   ",\n  \"most_holes\": " + number(f.holes_max) + ",\n  \"seconds\": " + number(seconds) +
                   ",\n  \"kinds\": {";
   for (std::size_t k = 0; k < kKinds; ++k) {
-    s += std::string(k ? "," : "") + "\n    \"" + kKindNames[k] + "\": {";
+    s += std::string(k ? "," : "") + "\n    \"" + cases::kOperations[k] + "\": {";
     std::uint64_t n = 0;
-    for (std::size_t o = 0; o < kOutcomes; ++o) {
+    for (std::size_t o = 0; o < kOutcomeNames.size(); ++o) {
       s += std::string("\"") + kOutcomeNames[o] + "\": " + number(f.outcome[k][o]) + ", ";
       n += f.outcome[k][o];
     }
-    for (std::size_t o = 0; o < kFaults; ++o)
-      s += std::string("\"") + kFaultNames[o] + "\": " + number(f.fault[k][o]) + ", ";
+    for (std::size_t law = 0; law < kLaws; ++law)
+      s += std::string("\"broken_") + cases::kPerimeterLaws[law] + "\": " + number(f.broken[k][law]) + ", ";
+    s += "\"slow\": " + number(f.slow[k]) + ", ";
     s += "\"longest_ms\": " + number(static_cast<double>(f.longest_ns[k]) * 1e-6) + ", \"mean_us\": " +
          number(static_cast<double>(f.total_ns[k]) * 1e-3 / static_cast<double>(n ? n : 1)) + "}";
   }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <limpet/geometry/polygon.hpp>
@@ -14,11 +15,15 @@ using geometry::NewVertex;
 using geometry::Point2;
 using Cycles = std::vector<std::vector<NewVertex>>;
 
-/// The same numbers on every machine (the standard's distributions are not).
+/// The same numbers on every machine (the standard's distributions are not). Made of bytes, it takes its
+/// choices from them, as few bytes as will do, until they end: so a fuzzer that changes bytes changes
+/// choices.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
+  explicit Random(std::span<const std::uint8_t> bytes) : state_(bytes.size()), bytes_(bytes) {}
   std::uint64_t bits() {
+    if (!bytes_.empty()) return taken(8);
     std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
@@ -26,15 +31,29 @@ class Random {
   }
   /// A whole number from `low` to `high`.
   std::int64_t whole(std::int64_t low, std::int64_t high) {
-    return low + static_cast<std::int64_t>(bits() % static_cast<std::uint64_t>(high - low + 1));
+    const auto count = static_cast<std::uint64_t>(high - low + 1);
+    const std::uint64_t any = bytes_.empty() ? bits() : taken(count <= 256 ? 1 : count <= 65536 ? 2 : 8);
+    return low + static_cast<std::int64_t>(any % count);
   }
-  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+  double unit() {
+    return bytes_.empty() ? static_cast<double>(bits() >> 11) * 0x1p-53
+                          : static_cast<double>(taken(2)) * 0x1p-16;
+  }
+  /// Bytes left to choose by.
+  std::size_t left() const { return bytes_.size(); }
   bool chance(double p) { return unit() < p; }
   /// Every order of magnitude alike.
   double scale(double low, double high) { return low * std::pow(high / low, unit()); }
 
  private:
+  std::uint64_t taken(std::size_t count) {
+    std::uint64_t value = 0;
+    for (; count > 0 && !bytes_.empty(); --count, bytes_ = bytes_.subspan(1)) value = value << 8 | bytes_[0];
+    return value;
+  }
+
   std::uint64_t state_;
+  std::span<const std::uint8_t> bytes_;
 };
 
 inline std::vector<NewVertex> cycle_of(std::initializer_list<Point2> points) {

@@ -16,19 +16,19 @@ struct Stream {
 
 namespace random_streams {
 
-inline Vector3d any_direction(Random& random) {
+inline Vector3d any_direction(auto& random) {
   for (;;) {
     const Vector3d d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     if (d.norm() > 0.1 && d.norm() < 1) return d.normalized();
   }
 }
 
-inline double grid(Random& random, int cells) {
+inline double grid(auto& random, int cells) {
   return static_cast<double>(random.below(static_cast<std::uint64_t>(cells) + 1));
 }
 
 /// A piece of a world about one of the origin's octants, in units of λ; the surface is seen from above.
-inline Points piece(Random& random, int count) {
+inline Points piece(auto& random, int count) {
   const auto kind = random.below(14);
   const double size = random.uniform(2, 12), t = random.uniform(0.02, 1.6);
   const Vector3d a = any_direction(random), b = any_direction(random);
@@ -104,8 +104,8 @@ inline Points piece(Random& random, int count) {
   return points;
 }
 
-inline Points world(Random& random) {
-  const int count = static_cast<int>(200 + random.below(301));
+inline Points world(auto& random, int least) {
+  const int count = least + static_cast<int>(random.below(static_cast<std::uint64_t>(least) * 3 / 2 + 1));
   const int pieces = static_cast<int>(1 + random.below(4));
   Points points;
   for (int i = 0; i < pieces; ++i) {
@@ -119,7 +119,7 @@ inline Points world(Random& random) {
   return points;
 }
 
-inline Parameters parameters(Random& random) {
+inline Parameters parameters(auto& random) {
   constexpr double kNoise[] = {0, 0, 0.001, 0.01, 0.1, 1};
   constexpr double kAngle[] = {0.17453292519943295, 0.17453292519943295, 0.02, 0.7, 1.5};
   Parameters p;
@@ -136,7 +136,7 @@ inline Parameters parameters(Random& random) {
 }
 
 /// Noise of half the model's, at places far away and at all scales; some readings spoilt.
-inline void place(Random& random, Points& points, Parameters& p) {
+inline void place(auto& random, Points& points, Parameters& p) {
   constexpr double kResolution[] = {1, 1, 0.05, 3e-7, 1e9, 1e-60, 1e60};
   p.resolution = kResolution[random.below(7)];
   Vector3d away = Vector3d::Zero();
@@ -153,10 +153,10 @@ inline void place(Random& random, Points& points, Parameters& p) {
 
 }  // namespace random_streams
 
-inline Stream random_stream(std::uint64_t seed) {
-  Random random(seed);
+/// Of this many points at least, and up to two and a half times as many.
+inline Stream random_stream(auto& random, int least) {
   Stream stream;
-  Points points = random_streams::world(random);
+  Points points = random_streams::world(random, least);
   stream.parameters = random_streams::parameters(random);
   random_streams::place(random, points, stream.parameters);
   const auto largest = 1 + random.below(random.below(3) ? 40 : 200);
@@ -167,6 +167,11 @@ inline Stream random_stream(std::uint64_t seed) {
     i += n;
   }
   return stream;
+}
+
+inline Stream random_stream(std::uint64_t seed) {
+  Random random(seed);
+  return random_stream(random, 200);
 }
 
 }  // namespace limpet::model::testing

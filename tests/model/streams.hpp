@@ -86,7 +86,7 @@ inline Points bored(const Points& points, double radius) {
   return rest;
 }
 
-inline void shuffle(Points& points, Random& random) {
+inline void shuffle(Points& points, auto& random) {
   for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
 }
 

@@ -1,0 +1,38 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <limpet/model/model.hpp>
+
+#include "case.hpp"
+
+namespace limpet::cases {
+
+/// A stream of sensor points and what the model is built to. After every set: the oracle finds nothing (law
+/// audit), no reading is lost (readings), the changes tell all that happened (changes), the native file reads
+/// back to the same bytes (native), nothing is thrown (exception).
+struct StreamCase {
+  static constexpr const char* kKind = "stream";
+  model::Parameters parameters;
+  std::vector<std::vector<model::SensorPoint>> sets;
+  std::string law;  ///< that it once broke
+};
+
+/// Runs the stream and finishes the model; the first broken law.
+std::optional<BrokenLaw> broken_law(const StreamCase&);
+
+/// A stream as bytes choose it (see shapes::Random): the degenerate pieces of tests/model/random_streams.hpp,
+/// or, every other time, readings on a small lattice.
+StreamCase stream_of(std::span<const std::uint8_t> bytes);
+
+std::string to_text(const StreamCase&);
+/// Throws CaseError.
+StreamCase stream_case(std::string_view text);
+std::vector<StreamCase> reductions(const StreamCase&);
+
+}  // namespace limpet::cases
