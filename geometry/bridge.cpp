@@ -145,7 +145,7 @@ void edges_along(const Polygon& polygon, Slot v, double length, std::vector<Slot
 }  // namespace
 
 bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
-  const auto attempt = [&](const Edit& edit) { return a.change(edit, ids) == Verdict::valid; };
+  const auto attempt = [&](const Edit& edit) { return a.grow(edit, ids, b.area()) == Verdict::valid; };
   const auto around = contacts(a, b, gap);
   for (std::size_t k = 0; k < std::min(around.size(), kMaxContacts); ++k) {
     const Contact& contact = around[k];
@@ -190,7 +190,7 @@ bool bridge_self(Polygon& polygon, Slot vertex, double gap, EdgeIds& ids) {
     const Contact contact{{vertex, 0, v, near[k].squared_distance}, near[k]};
     if (SectionSearch(polygon, polygon, contact, gap).search([&](const SectionEnd& p1, const SectionEnd& p2) {
           const Edit edit = split(polygon, p1, p2);
-          return polygon.change(edit, ids) == Verdict::valid;
+          return polygon.grow(edit, ids) == Verdict::valid;
         }))
       return true;
   }

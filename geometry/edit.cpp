@@ -100,6 +100,14 @@ Verdict Polygon::change(const Edit& edit, EdgeIds& ids) {
   return verdict;
 }
 
+Verdict Polygon::grow(const Edit& edit, EdgeIds& ids, double least) {
+  Difference& d = difference(edit);
+  Verdict verdict = judge(edit, d);
+  if (verdict == Verdict::valid) verdict = judge_growth(d, least);
+  if (verdict == Verdict::valid) commit(edit, d, ids);
+  return verdict;
+}
+
 void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
   for (const Slot s : d.removed_edges) twice_area_ -= cross(at(s) - origin_, end(s) - origin_);
   for (const KeyedEdge& e : d.new_edges) twice_area_ += cross(e.a - origin_, e.b - origin_);

@@ -114,7 +114,7 @@ Extension extend_to_point(Polygon& polygon, Point2 q, double gap, EdgeIds& ids) 
   });
   for (std::size_t k = 0; k < std::min(pairs.size(), kMaxAttempts); ++k) {
     const Edit edit = edit_for(back[pairs[k].i], forward[pairs[k].j], q);
-    if (polygon.change(edit, ids) != Verdict::valid) continue;
+    if (polygon.grow(edit, ids) != Verdict::valid) continue;
     return Extension::extended;
   }
   return Extension::refused;

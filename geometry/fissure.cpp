@@ -190,7 +190,7 @@ class Filler {
   }
 
   bool commit(const Edit& edit) {
-    if (polygon_.change(edit, ids_) != Verdict::valid) return false;
+    if (polygon_.grow(edit, ids_) != Verdict::valid) return false;
     enqueue_created();
     return true;
   }

@@ -84,6 +84,8 @@ const char* to_string(Verdict verdict) {
       return "orientation";
     case Verdict::too_few_vertices:
       return "too few vertices";
+    case Verdict::shrinking:
+      return "shrinking";
   }
   return "?";
 }

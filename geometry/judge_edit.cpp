@@ -8,6 +8,7 @@
 // every vertex that stays the inside is where it was, so each cycle that keeps a vertex besides the ends of
 // its chains keeps the inside on its left. Of cycles that keep none it is asked explicitly, in O(n). With the
 // inside on the left of all cycles, and one of them anticlockwise, each of the others is a hole in that one.
+#include <cmath>
 #include <limpet/geometry/predicates.hpp>
 
 #include "edit_internal.hpp"
@@ -43,6 +44,17 @@ Verdict Polygon::judge_swept(const Difference& d) const {
     return inside_even_odd(d.sweep, at(s));
   });
   return swept ? Verdict::swept_vertex : Verdict::valid;
+}
+
+Verdict Polygon::judge_growth(const Difference& d, double least) const {
+  constexpr double kRounding = 2;
+  double twice_gained = 0, rounded = 0;
+  for (const Slot s : d.removed_edges) twice_gained -= cross(at(s) - origin_, end(s) - origin_);
+  for (const KeyedEdge& e : d.new_edges) {
+    twice_gained += cross(e.a - origin_, e.b - origin_);
+    rounded += std::sqrt(squared_length(e.b - e.a));
+  }
+  return twice_gained / 2 - least >= -kRounding * rounded ? Verdict::valid : Verdict::shrinking;
 }
 
 /// Cycles that the edit leaves alone, and are anticlockwise.

@@ -44,6 +44,7 @@ enum class Verdict {
   swept_vertex,      ///< the change would pass over a vertex that stays
   orientation,       ///< a cycle would turn the wrong way round, or the outer one is not unique
   too_few_vertices,  ///< a cycle with less than three vertices
+  shrinking,         ///< of what may only grow, more area would go than rounding takes
 };
 const char* to_string(Verdict);
 
@@ -118,6 +119,11 @@ class Polygon {
   /// Judges the change, and makes it if it is valid.
   Verdict change(const Edit&, EdgeIds&);
 
+  /// The same for what may only grow: refused, too, when less area than `least` would come, but for what
+  /// rounding takes: two steps along the new edges. A rounded point may lie beyond a part of the polygon that
+  /// is thinner than a step, from where all looks different.
+  Verdict grow(const Edit&, EdgeIds&, double least = 0);
+
   /// Marks the edge that leaves `s` as shared or not. Its identity stays.
   void set_shared(Slot s, bool shared) { nodes_[static_cast<std::uint32_t>(s)].shared = shared; }
 
@@ -152,6 +158,7 @@ class Polygon {
   Verdict judge_new_edges(const Difference&) const;
   Verdict judge_swept(const Difference&) const;
   Verdict judge_orientation(const Edit&, Difference&) const;
+  Verdict judge_growth(const Difference&, double least) const;
   std::size_t untouched_outer(const Edit&) const;
   int orientation_of(const Edit&, const Difference&, std::size_t first_chain) const;
   void label_cycles(const Edit&, const Difference&, std::vector<CycleId> freed, std::span<const Slot> loops);

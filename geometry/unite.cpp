@@ -238,7 +238,7 @@ bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds& ids, std::size_t* 
     if (!edit) continue;
     if (edit->chains.empty() && edit->loops.empty() && edit->removed_cycles.empty())
       return true;  // b inside a
-    if (a.change(*edit, ids) == Verdict::valid) return true;
+    if (a.grow(*edit, ids) == Verdict::valid) return true;
   }
   return false;
 }

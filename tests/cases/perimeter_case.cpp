@@ -161,7 +161,8 @@ std::optional<PerimeterLaw> PerimeterTrial::judge(shapes::Random& places, bool t
   const double slack = step_tolerance_ * length_of(before_) + (other_ ? kMoves * length_of(step_.other) : 0);
   if (area_of(after) < area_of(before_) * (1 - area_tolerance_) - slack) return PerimeterLaw::area;
   if (!sides_hold(after, places)) return PerimeterLaw::sides;
-  if (thorough && outcome_ == Outcome::changed && !(contains_all(before_) && contains_all(step_.other)))
+  if (thorough && outcome_ == Outcome::changed &&
+      !(contains_all(before_, places) && contains_all(step_.other, places)))
     return PerimeterLaw::contains;
   return std::nullopt;
 }
@@ -202,12 +203,22 @@ bool PerimeterTrial::sides_hold(const Cycles& after, shapes::Random& places) con
   return true;
 }
 
-bool PerimeterTrial::contains_all(const Cycles& of) const {
-  const double near = kMoves + step_tolerance_;
-  for (const auto& c : of)
-    for (const NewVertex& v : c)
-      if (polygon_.locate(v.at) == Polygon::Side::outside && !any_edge_within(polygon_, v.at, v.at, near))
-        return false;
+bool PerimeterTrial::contains_all(const Cycles& of, shapes::Random& places) const {
+  if (of.empty()) return true;
+  EdgeIds ids;
+  const auto part = polygon_of(of, ids);
+  const auto any_vertex = [&] {
+    const auto& c = of[places.bits() % of.size()];
+    return c[places.bits() % c.size()].at;
+  };
+  const double deep = kMoves + step_tolerance_;
+  for (int k = 0; part && k < 8; ++k) {
+    const Point2 a = any_vertex(), b = any_vertex(), c = any_vertex();
+    const Point2 p = round_to_grid((1.0 / 3) * (a + b + c));
+    if (part->locate(p) == Polygon::Side::inside && !any_edge_within(*part, p, p, deep) &&
+        polygon_.locate(p) != Polygon::Side::inside)
+      return false;
+  }
   return true;
 }
 

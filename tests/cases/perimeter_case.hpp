@@ -54,7 +54,7 @@ enum class PerimeterLaw {
   untouched,  ///< an operation that reports no change made none
   area,       ///< no operation loses area
   sides,      ///< locate() agrees with all edges
-  contains,   ///< the result contains the vertices of what it was made of
+  contains,   ///< what lay deeper inside before than operands are moved lies inside now
   exception,  ///< nothing is thrown
   kCount
 };
@@ -86,7 +86,7 @@ class PerimeterTrial {
  private:
   bool identities_hold(const Cycles& after);
   bool sides_hold(const Cycles& after, shapes::Random& places) const;
-  bool contains_all(const Cycles& of) const;
+  bool contains_all(const Cycles& of, shapes::Random& places) const;
 
   double gap_, area_tolerance_, step_tolerance_;
   EdgeIds ids_;

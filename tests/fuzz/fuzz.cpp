@@ -4,8 +4,10 @@
 // crash; the input, which libFuzzer keeps, becomes a case by `limpet_case show`.
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include "../cases/any_case.hpp"
+#include "tokens.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto broken =
@@ -13,4 +15,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!broken) return 0;
   std::fprintf(stderr, "broken law: %s: %s\n", broken->law.c_str(), broken->what.c_str());
   std::abort();
+}
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+/// Text is mostly changed as text.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
+                                               unsigned seed) {
+  const std::string text(data, data + size);
+  const bool printable = text.find_first_not_of(
+                             "\n\r\t !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`"
+                             "abcdefghijklmnopqrstuvwxyz{|}~",
+                             1) == std::string::npos;
+  if (size < 8 || !printable || seed % 4 == 0) return LLVMFuzzerMutate(data, size, most);
+  const std::string changed = limpet::fuzz::TokenMutator(seed)(text);
+  const std::size_t length = std::min(changed.size(), most);
+  std::memcpy(data, changed.data(), length);
+  return length;
 }
