@@ -4,7 +4,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 SOURCES = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: demo test build bench bench-compare benchmarks format format-check lint install clean packages configure
+.PHONY: demo test build fuzz same-bytes mutants bench bench-compare benchmarks format format-check lint install clean packages configure
 
 demo: configure
 	cmake --build build/$(PRESET) -j $(JOBS) --target limpet
@@ -15,6 +15,22 @@ test: build
 
 build: configure
 	cmake --build build/$(PRESET) -j $(JOBS)
+
+# Each kind of input for so many SECONDS; what is found becomes a case in out/fuzz. KINDS="scan mesh" for some of them.
+fuzz: build
+	tools/install_packages.sh fuzz
+	cmake --preset fuzz
+	cmake --build --preset fuzz -j $(JOBS) --target limpet_fuzzers
+	tools/fuzz.sh $(or $(SECONDS),600) $(KINDS)
+
+# Two compilers, with and without optimisation, and sanitizers: the same bytes from all, on simulated and real scans.
+same-bytes: packages
+	tools/install_packages.sh fuzz
+	JOBS=$(JOBS) tools/same_bytes.sh
+
+# Breaks conditions in geometry/ and model/ one at a time, and asks the tests which they notice.
+mutants: packages
+	tools/mutate.py --jobs $(JOBS)
 
 # The report of docs/benchmarks.md, in out/bench: about a quarter of an hour; FULL=1 takes hours and 1 GB of scratch.
 bench:

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <limpet/io/error.hpp>
 #include <limpet/io/scan_columns.hpp>
 #include <limpet/io/text.hpp>
@@ -31,6 +32,12 @@ std::string listed(const std::vector<std::string>& names) {
     if (!name.empty() && list.size() < 200) list += " " + name;
   }
   return list;
+}
+
+/// Also where its square is beyond what doubles hold.
+double length(const Eigen::Vector3d& v) {
+  const double squared = v.dot(v);
+  return squared < std::numeric_limits<double>::infinity() ? std::sqrt(squared) : v.stableNorm();
 }
 
 }  // namespace
@@ -106,7 +113,7 @@ bool ScanColumns::make(const Row& row, ScanRecord& record) const {
       break;
     case AxisSource::kViewpoint:
       a = p - viewpoint_;
-      record.point.range = std::sqrt(a.dot(a));
+      record.point.range = length(a);
       break;
   }
   if (record.has_axis && !normalise(a)) return false;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that building, testing and the demo need; does nothing, fast, when they are there.
-#   tools/install_packages.sh [lint] [bench]      adds what `make lint` or `make bench` need
+#   tools/install_packages.sh [lint] [bench] [fuzz]      adds what `make lint`, `make bench` or `make fuzz` need
 set -euo pipefail
 
 packages=(
@@ -13,7 +13,8 @@ for group in "$@"; do
   case $group in
     lint) packages+=(clang-tidy) ;;
     bench) packages+=(gnuplot-nox libglpk-dev) ;;
-    *) echo "usage: $0 [lint] [bench]" >&2; exit 2 ;;
+    fuzz) packages+=(clang libclang-rt-14-dev) ;;
+    *) echo "usage: $0 [lint] [bench] [fuzz]" >&2; exit 2 ;;
   esac
 done
 
