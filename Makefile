@@ -4,7 +4,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 SOURCES = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: demo test build fuzz same-bytes mutants bench bench-compare benchmarks format format-check lint install clean packages configure
+.PHONY: demo test build fuzz coverage same-bytes mutants bench bench-compare benchmarks format format-check lint install clean packages configure
 
 demo: configure
 	cmake --build build/$(PRESET) -j $(JOBS) --target limpet
@@ -22,6 +22,11 @@ fuzz: build
 	cmake --preset fuzz
 	cmake --build --preset fuzz -j $(JOBS) --target limpet_fuzzers
 	tools/fuzz.sh $(or $(SECONDS),600) $(KINDS)
+
+# Lines of geometry/ and model/ that tests and fuzzing run.
+coverage: packages
+	tools/install_packages.sh fuzz
+	JOBS=$(JOBS) tools/coverage.sh
 
 # Two compilers, with and without optimisation, and sanitizers: the same bytes from all, on simulated and real scans.
 same-bytes: packages

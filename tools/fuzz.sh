@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 seconds=${1:?usage: tools/fuzz.sh SECONDS [KIND...]}; shift
 kinds=("$@"); [ ${#kinds[@]} -gt 0 ] || kinds=(perimeter stream scan mesh native labels)
 programs=build/fuzz/tests
-declare -A longest=([perimeter]=2000 [stream]=3000 [scan]=2000 [mesh]=2000 [native]=12000 [labels]=1000)
+declare -A longest=([perimeter]=800 [stream]=2000 [scan]=2000 [mesh]=2000 [native]=12000 [labels]=1000)
 export ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
 found=0
 for kind in "${kinds[@]}"; do

@@ -13,7 +13,7 @@ for group in "$@"; do
   case $group in
     lint) packages+=(clang-tidy) ;;
     bench) packages+=(gnuplot-nox libglpk-dev) ;;
-    fuzz) packages+=(clang libclang-rt-14-dev) ;;
+    fuzz) packages+=(clang libclang-rt-14-dev llvm) ;;
     *) echo "usage: $0 [lint] [bench] [fuzz]" >&2; exit 2 ;;
   esac
 done

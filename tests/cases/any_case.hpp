@@ -50,7 +50,7 @@ std::optional<BrokenLaw> broken_law_of_script(std::span<const std::uint8_t> byte
   c = script.begin();
   PerimeterTrial trial(c.start, c.gap);
   shapes::Random places(std::uint64_t{1});
-  while (script.random().left() > 0 && c.steps.size() < 40 && trial.polygon().edge_count() < 1500) {
+  while (script.random().left() > 0 && c.steps.size() < 40 && trial.polygon().edge_count() < 400) {
     c.steps.push_back(script.next(trial.polygon()));
     told(c);
     if (!trial.prepare(c.steps.back())) {
