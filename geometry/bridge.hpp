@@ -14,11 +14,15 @@ namespace limpet::geometry {
 /// long as possible. Outer perimeters, or the outer one of one polygon and a hole of the other that it lies
 /// in, are joined alike. `b` becomes part of `a` (its surviving edges keep their identities), or `a` is left
 /// as it was and the result is false.
+///  (1) When true, `a` is valid; when false, it is as it was;
+///  (2) no area is lost of either but to the rounding of feet, at most two steps along the perimeters.
 bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds&);
 
 /// Connects the perimeter at `vertex` with another section of the same perimeter within `gap` and in sight
 /// across the outside, which splits the cycle: a hole appears. Sections adjacent along the perimeter are left
 /// to fissures.
+///  (1) When true, the polygon is valid with one hole more; when false, it is as it was;
+///  (2) shared edges stay.
 bool bridge_self(Polygon&, Slot vertex, double gap, EdgeIds&);
 
 }  // namespace limpet::geometry

@@ -16,10 +16,12 @@ struct Plane {
 };
 
 /// The smallest power of two that is not below `length`/4096: the grid of a model of that resolution.
+///  (1) Powers of two scale it exactly.
 double grid_step_for(double length);
 
 /// The planar frame a perimeter lives in, fixed when its segment is born: origin in the world, orthonormal
 /// axes u, v and normal n = u × v. Chart coordinates are in grid steps along u and v.
+///  (1) project() undoes at(), at any height, but for rounding.
 class Chart {
  public:
   Chart() = default;
@@ -54,6 +56,7 @@ class Chart {
 
 /// A plane as an affine height over a chart, in grid steps: the lift of chart points onto the plane along the
 /// chart's normal.
+///  (1) Lifted points lie on the plane, (2) and plane() gives that plane back, both but for rounding.
 struct Lift {
   double h0 = 0, hx = 0, hy = 0;
 

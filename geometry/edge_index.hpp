@@ -14,6 +14,10 @@ namespace limpet::geometry {
 using Segment2 = std::pair<Point2, Point2>;
 
 /// Is p inside the closed chains made of these edges, by the even-odd rule? p must not lie on one of them.
+///  (1) Order and direction of the edges do not matter;
+///  (2) of two sets of chains together it is the exclusive or;
+///  (3) so edges that are there twice are not there;
+///  (4) motions (predicates.hpp) and the mirror keep it.
 bool inside_even_odd(std::span<const Segment2> edges, Point2 p);
 
 /// Finds the edges near a place, and on which side of the boundary it lies, without looking at the rest of

@@ -16,7 +16,12 @@ enum class Extension {
 /// Extends a perimeter section to a point (thesis §2.4.2). `q` is a grid point; `gap` is λ in grid steps. The
 /// section lies entirely within gap of q, holds the perimeter point nearest to q and no part of a shared
 /// edge, its ends sight q, and it is the longest such section; its ends are vertices or points where the
-/// perimeter leaves the disc of radius gap. The polygon is left as it was unless the result is `extended`.
+/// perimeter leaves the disc of radius gap.
+///  (1) `contained` exactly when q is not outside; unless the result is `extended`, the polygon is as it was;
+///  (2) when `extended`, it is valid, q is a vertex, and asking again is answered `contained`;
+///  (3) shared edges stay; area is lost to rounding only, less than a step along the perimeter (the tip of a
+///      needle less than a step wide may go).
+/// Motions need not keep it: ends of the section are rounded, and the nearest edge may be one of two.
 Extension extend_to_point(Polygon&, Point2 q, double gap, EdgeIds&);
 
 }  // namespace limpet::geometry

@@ -27,14 +27,14 @@ std::vector<KeyedEdge> edges_of(const Cycles& cycles) {
   return edges;
 }
 
-/// The point nearest to p, at most two grid steps away along each axis, on this side of ab.
-std::optional<Point2> nearest_on_side(Point2 p, Point2 a, Point2 b, int side) {
+/// The point nearest to p on this side of ab, at most two grid steps away from `home` along each axis.
+std::optional<Point2> nearest_on_side(Point2 p, Point2 home, Point2 a, Point2 b, int side) {
   std::optional<Point2> best;
   double best2 = 0;
   for (double dx = -2; dx <= 2; ++dx)
     for (double dy = -2; dy <= 2; ++dy) {
-      const Point2 q = p + Point2{dx, dy};
-      const double d2 = dx * dx + dy * dy;
+      const Point2 q = home + Point2{dx, dy};
+      const double d2 = squared_length(q - p);
       if ((best && d2 >= best2) || orientation(a, b, q) != side) continue;
       best = q, best2 = d2;
     }
@@ -44,7 +44,10 @@ std::optional<Point2> nearest_on_side(Point2 p, Point2 a, Point2 b, int side) {
 /// Vertices by number, with the edges that follow them.
 class Sides {
  public:
-  explicit Sides(std::vector<KeyedEdge> before) : before_(std::move(before)) {}
+  /// `home`: where the vertices are at first; none goes farther from there than two steps, in however many
+  /// conflicts it is.
+  Sides(std::vector<KeyedEdge> before, std::vector<Point2> home)
+      : before_(std::move(before)), home_(std::move(home)) {}
 
   /// Moves the ends of either edge that are on the wrong side of the other.
   void restore(std::vector<Point2>& at, std::size_t e, std::size_t f) const {
@@ -61,10 +64,11 @@ class Sides {
     if (side == 0 || orientation(a, b, p) == side) return;
     const Point2 foot = a + nearest_fraction(a, b, p) * (b - a);
     if (squared_length(foot - p) > 8) return;  // that is not where they conflict
-    if (const auto moved = nearest_on_side(p, a, b, side)) at[vertex] = *moved;
+    if (const auto moved = nearest_on_side(p, home_[vertex], a, b, side)) at[vertex] = *moved;
   }
 
   std::vector<KeyedEdge> before_;
+  std::vector<Point2> home_;
 };
 
 void remove_vertex(Cycle& cycle, std::size_t i) {
@@ -110,10 +114,10 @@ double remove_conflicts(Cycles& cycles, const std::vector<KeyedEdge>& edges,
 
 bool restore_sides(Cycles& cycles, const Cycles& before) {
   constexpr int kRounds = 4;
-  const Sides sides(edges_of(before));
   std::vector<KeyedEdge> edges = edges_of(cycles);
   std::vector<Point2> at;
   for (const KeyedEdge& e : edges) at.push_back(e.a);
+  const Sides sides(edges_of(before), at);
   for (int round = 0;; ++round) {
     const auto conflicts = find_conflicts(edges);
     if (conflicts.empty()) break;

@@ -15,7 +15,10 @@ enum class Merger {
 
 /// Merges polygon b into a; both in one chart, `gap` is λ in grid steps (thesis §2.4.3). Holes that the union
 /// forms are dropped when they collapse, kept when they do not (a departure from the thesis, which then lets
-/// the merger fail). `a` is changed only by `united` and `bridged`.
+/// the merger fail).
+///  (1) `a` is changed only by `united` and `bridged`, and is valid then;
+///  (2) area is lost to rounding only, to moves (unite.hpp) and with needles less than eight steps wide;
+///  (3) whether the two are `too_far` does not depend on which is which. Whether a candidate is found may.
 Merger merge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds&);
 
 }  // namespace limpet::geometry

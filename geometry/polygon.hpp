@@ -98,6 +98,9 @@ class Polygon {
   std::vector<std::vector<NewVertex>> boundary() const;
 
   /// Where p lies. Exact in the exact build.
+  ///  (1) On the boundary when on an edge; else inside when the boundary winds round it;
+  ///  (2) starts of cycles, the order of holes, and the edits that led here do not matter;
+  ///  (3) motions (predicates.hpp) keep it.
   Side locate(Point2 p) const;
 
   /// Calls f(Slot) for every edge that touches `box` and maybe others near it; an edge may come more than
@@ -110,13 +113,17 @@ class Polygon {
     });
   }
 
-  /// Does the candidate keep the invariant? Decided on the rounded coordinates as they stand.
+  /// Does the candidate keep the invariant? Decided on the rounded coordinates as they stand. Changes
+  /// nothing.
   Verdict judge(const Edit&) const;
 
   /// Makes the change. Precondition: judge(edit) == valid.
   void commit(const Edit&, EdgeIds&);
 
   /// Judges the change, and makes it if it is valid.
+  ///  (1) It is valid exactly when the boundary it leads to keeps the invariant;
+  ///  (2) when it is not, nothing has changed; else the boundary is what the edit says, vertex for vertex;
+  ///  (3) area() follows, but for rounding.
   Verdict change(const Edit&, EdgeIds&);
 
   /// The same for what may only grow: refused, too, when less area than `least` would come, but for what

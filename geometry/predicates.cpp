@@ -2,6 +2,7 @@
 #include <limpet/geometry/predicates.hpp>
 
 #include "kernel_internal.hpp"
+#include "predicates_internal.hpp"
 
 namespace limpet::geometry {
 namespace {
@@ -24,12 +25,27 @@ Point2 round_to_grid(Point2 p) {
 #if defined(LIMPET_ARITHMETIC_FLOAT)
   return p;
 #else
-  return {rounded_down(p.x + 0.5), rounded_down(p.y + 0.5)};
+  // Not rounded_down(x + 0.5): that sum is itself rounded, up to 1 just below a half and away from odd
+  // numbers above 2^52. What is compared here is exact wherever it decides.
+  const auto nearest = [](double x) {
+    const double whole = rounded_down(x);
+    return whole + (x - whole >= 0.5);
+  };
+  return {nearest(p.x), nearest(p.y)};
 #endif
 }
 
 int internal::orientation_unfiltered(Point2 p, Point2 q, Point2 r) {
   return CGAL::orientation(to_kernel(p), to_kernel(q), to_kernel(r));
+}
+
+int internal::orientation_exact(Point2 p, Point2 q, Point2 r) {
+#if defined(LIMPET_ARITHMETIC_EXACT)
+  const Kernel::C2E exact;
+  return Kernel::Exact_kernel::Orientation_2()(exact(to_kernel(p)), exact(to_kernel(q)), exact(to_kernel(r)));
+#else
+  return orientation_unfiltered(p, q, r);
+#endif
 }
 
 bool segments_meet(Point2 a, Point2 b, Point2 c, Point2 d) {

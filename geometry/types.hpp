@@ -20,7 +20,8 @@ inline double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
 inline double squared_length(Point2 a) { return dot(a, a); }
 
-/// The largest whole number not above x. Unlike std::floor no call, where the processor's own is not at hand.
+/// The largest whole number not above x (x itself when it is infinite). Unlike std::floor no call, where the
+/// processor's own is not at hand.
 inline double rounded_down(double x) {
   if (!(x > -0x1p52 && x < 0x1p52)) return x;  // whole already, or no number
   const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
@@ -28,6 +29,9 @@ inline double rounded_down(double x) {
 }
 
 /// Axis-parallel box of chart points; empty until something is added.
+///  (1) box_of(a, b) = box_of(b, a), and it contains a and b;
+///  (2) meets() is symmetric, and true when the one contains a point of the other;
+///  (3) squared_distance() is 0 for a point it contains; an empty box meets and contains nothing.
 struct Box2 {
   Point2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Point2 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};

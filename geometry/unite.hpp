@@ -16,6 +16,14 @@ namespace limpet::geometry {
 /// vertices are moved by a few grid steps (up to λ/128, far below what a perimeter is known to) and the
 /// outline is taken again, a bounded number of times (`attempts` tells how often it was taken). False, and
 /// `a` as it was, when no candidate is valid.
+///  (1) When true, `a` is valid; when false, it is as it was;
+///  (2) the union holds both but for rounding: 3 steps at the first attempt, and the moves of b's vertices
+///  more at
+///      later ones;
+///  (3) no area is lost but along the perimeters, by as much;
+///  (4) what is united with itself stays as it is, vertices and identities;
+///  (5) where both a ∪ b and b ∪ a are found, their areas differ by rounding and moves alone. The one may be
+///      found without the other: only b's vertices are moved, by its identities.
 bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds&, std::size_t* attempts = nullptr);
 
 }  // namespace limpet::geometry

@@ -57,8 +57,19 @@ struct Counts {
 ///     model.finish();
 ///     io::write_mesh(model.record(), "model.off");
 ///
-/// After every call the promise of docs/exactness.md holds: each perimeter is a simple polygon,
-/// anticlockwise, its holes inside and disjoint. The same calls give the same model, byte for byte.
+///  (1) After every call the promise of docs/exactness.md holds: each perimeter is a simple polygon,
+///      anticlockwise, its holes inside and disjoint; and so do the other laws of audit/laws.cpp;
+///  (2) the same calls give the same model, byte for byte;
+///  (3) every reading is accounted for: it was refused, has expired, or is in exactly one segment;
+///  (4) the changes a call returns tell all that happened to segments, edges and shared edges;
+///  (5) a shared edge has one partner, whose partner it is, on another segment of the same surface; so the
+///      neighbour relation is symmetric, and a segment is in at most one surface;
+///  (6) what is only asked (records, surfaces, labels, times, open edges) changes nothing;
+///  (7) a reading that is none is counted and changes nothing else;
+///  (8) a model from a record has that record;
+///  (9) an empty set is counted and changes nothing else.
+/// Not promised: the same polygons to the last bit when all readings move (charts and lifts are doubles), and
+/// that a second finish() finds nothing to do (loose points are tried again, under new identities).
 class Model {
  public:
   /// Throws std::invalid_argument when a parameter is out of range.

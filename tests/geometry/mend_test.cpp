@@ -98,5 +98,18 @@ TEST(MendCycles, LeavesNoConflictAndKeepsWhatIsValid) {
   }
 }
 
+TEST(RestoreSides, NoVertexMovesFartherThanTwoStepsInSeveralConflicts) {
+  const auto outer = cycle_of({{0, 0}, {0, 3}, {-3, 3}, {-3, 0}});
+  const Cycles before = {outer, cycle_of({{-2, 1}, {-2, 2}, {-1, 2}, {-1, 1}})},
+               moved = {outer, cycle_of({{-2, 1}, {-1, 2}, {-1, 2}, {0, 1}})};
+  Cycles restored = moved;
+  restore_sides(restored, before);
+  for (std::size_t c = 0; c < moved.size(); ++c)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Point2 d = restored[c][i].at - moved[c][i].at;
+      EXPECT_LE(std::max(std::abs(d.x), std::abs(d.y)), 2) << c << ' ' << i;
+    }
+}
+
 }  // namespace
 }  // namespace limpet::geometry

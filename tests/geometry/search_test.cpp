@@ -54,18 +54,5 @@ TEST(Sights, MeetsNoEdgeButAtItsOwnVertices) {
   EXPECT_TRUE(sights(notch, {above}, {{45, 30}}, {Slot{4}}));  // a foot on an edge left aside
 }
 
-TEST(Sights, IsSymmetric) {
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    EdgeIds ids;
-    const Polygon p = random_polygon(random, ids);
-    for (int k = 0; k < 50; ++k) {
-      const Point2 a = telling_point(random, p, 6), b = telling_point(random, p, 6);
-      ASSERT_EQ(sights(p, {a}, {b}), sights(p, {b}, {a}));
-    }
-  }
-}
-
 }  // namespace
 }  // namespace limpet::geometry

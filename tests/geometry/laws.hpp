@@ -1,0 +1,66 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "../expect_law.hpp"
+#include "../generators/polygons.hpp"
+#include "perimeters.hpp"
+#include "whole_numbers.hpp"
+
+/// What the tests of the numbered laws have in common.
+namespace limpet::geometry {
+
+using namespace properties;
+
+/// A quarter turn or none, and a translation by up to 3 · 2^`reach` whole steps.
+inline shapes::Map any_motion(int reach = 38) {
+  shapes::Map m = one_of(2) ? shapes::kQuarterTurn : shapes::Map{};
+  const Point2 by = power_of_two(0, reach) * small_point(3);
+  m.x = by.x, m.y = by.y;
+  return m;
+}
+
+inline Slot any_slot(const Polygon& p) {
+  return Slot{static_cast<std::uint32_t>(whole(0, 999)) % static_cast<std::uint32_t>(p.slot_count())};
+}
+
+/// λ in grid steps: from hardly a step, through the size of the shapes, to what it is in the product.
+inline double any_gap() { return one_of(3) == 2 ? power_of_two(1, 13) : static_cast<double>(whole(2, 60)); }
+
+using EdgesInPlace = std::vector<std::pair<Slot, EdgeId>>;
+inline EdgesInPlace all_edges(const Polygon& p) {
+  EdgesInPlace edges;
+  for (std::uint32_t i = 0; i < p.slot_count(); ++i)
+    if (p.alive(Slot{i})) edges.emplace_back(Slot{i}, p.node(Slot{i}).edge);
+  return edges;
+}
+
+/// Some edges become shared ones. Returns their identities.
+inline std::vector<EdgeId> share_some(Polygon& p) {
+  std::vector<EdgeId> shared;
+  for (auto n = whole(0, 3); n > 0; --n) {
+    const Slot s = any_slot(p);
+    p.set_shared(s, true);
+    shared.push_back(p.node(s).edge);
+  }
+  return shared;
+}
+
+inline bool holds_shared(const Polygon& p, const std::vector<EdgeId>& ids) {
+  std::vector<EdgeId> found;
+  for (const auto& [s, edge] : all_edges(p))
+    if (p.node(s).shared) found.push_back(edge);
+  return std::all_of(ids.begin(), ids.end(),
+                     [&](EdgeId id) { return std::find(found.begin(), found.end(), id) != found.end(); });
+}
+
+inline double exact_area(const Cycles& cycles) {
+  return static_cast<double>(whole_numbers::twice_area(cycles)) / 2;
+}
+
+inline void expect_valid(const Polygon& p) { RC_ASSERT(whole_numbers::is_valid(p.boundary())); }
+
+}  // namespace limpet::geometry
