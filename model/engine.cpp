@@ -171,4 +171,15 @@ void forward_label(Engine& e, SegmentId from, SegmentId to) {
   if (e.labels_kept && from != to) e.label_goes_to[from.value] = to.value;
 }
 
+std::vector<SegmentId> present_labels(const Engine& e) {
+  std::vector<SegmentId> result;
+  result.reserve(e.labels.size());
+  for (std::uint64_t id : e.labels) {
+    for (auto next = e.label_goes_to.find(id); next != e.label_goes_to.end(); next = e.label_goes_to.find(id))
+      id = next->second;
+    result.push_back({e.slot_of.count(id) ? id : 0});
+  }
+  return result;
+}
+
 }  // namespace limpet::model::internal
