@@ -18,11 +18,9 @@ class Digest {
   void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
   /// Eight at a time, the first one lowest; then their number.
   void add(std::string_view bytes) {
-    std::uint64_t word = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      word |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * (i % 8));
-      if (i % 8 == 7 || i + 1 == bytes.size()) add(word), word = 0;
-    }
+    std::size_t i = 0;
+    for (; i + 8 <= bytes.size(); i += 8) add(word_at(bytes.data() + i, 8));
+    if (i < bytes.size()) add(word_at(bytes.data() + i, bytes.size() - i));
     add(std::uint64_t{bytes.size()});
   }
   std::uint64_t value() const { return value_; }
@@ -30,6 +28,13 @@ class Digest {
   friend bool operator==(const Digest&, const Digest&) = default;
 
  private:
+  static std::uint64_t word_at(const char* bytes, std::size_t count) {
+    std::uint64_t word = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      word |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+    return word;
+  }
+
   std::uint64_t value_ = 0x6c696d7065740000u;
 };
 
