@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <iostream>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
 #include <limpet/geometry/predicates.hpp>
@@ -271,7 +272,11 @@ int parse_and_run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    if (error.get_exit_code() == 0) {  // --help, --version
+      const int code = app.exit(error);
+      if (!std::cout.flush()) throw limpet::io::OutputError("standard output: cannot be written");
+      return code;
+    }
     const auto chosen = app.get_subcommands();
     const std::string help = chosen.empty() ? "limpet" : "limpet " + chosen.front()->get_name();
     return fail(std::string(error.what()) + "; see " + help + " --help", kBadInput);
