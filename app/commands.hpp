@@ -39,6 +39,9 @@ struct ModelArguments {
   std::string initial;           ///< a mesh of faces known beforehand
   bool open = false;             ///< no shared edges, no corner vertices
   RedundancyArgument redundancy;
+  std::string checkpoint;                   ///< where all of the run is kept, now and then
+  std::int64_t checkpoint_every = 100'000;  ///< sets
+  bool resume = false;                      ///< go on from the checkpoint if there is one
   bool quiet = false;
 };
 int run(const ModelArguments&);

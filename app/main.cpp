@@ -1,11 +1,15 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // The command `limpet`: arguments in, exit code out. What each command does is in command_*.cpp.
+#include <fcntl.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <iostream>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
 #include <limpet/geometry/predicates.hpp>
@@ -98,6 +102,16 @@ void add_model(CLI::App& root, Command& chosen) {
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
   app.add_option("--stages", args->stages, "Keep N stages of growth beside the first MODEL, for limpet draw")
       ->check(CLI::Range(1, 64));
+  const auto checkpoint =
+      app.add_option("--checkpoint", args->checkpoint,
+                     "Keep all of the run there, now and then, so that it can go on after whatever ends it")
+          ->type_name("FILE");
+  app.add_option("--checkpoint-every", args->checkpoint_every, "After every Nth set (default 100000)")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40))
+      ->needs(checkpoint);
+  app.add_flag("--resume", args->resume,
+               "Go on from the checkpoint, if there is one, with the same scan and options")
+      ->needs(checkpoint);
   app.add_option("--seed", "Taken for the sake of scripts: modelling has no chance in it")
       ->check(CLI::TypeValidator<std::uint64_t>());
   add_quiet_and_json(app, args->quiet, &args->json);
@@ -227,6 +241,15 @@ int fail(const std::string& message, int code) {
   return code;
 }
 
+/// A pipe that is closed, or a file that may not grow, is told of, like any other output that fails; and no
+/// file takes the place of a standard stream that is closed.
+void take_failing_writes_as_errors() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  for (int stream = 0; stream <= 2; ++stream)
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app{"Exact planar polyhedral surface models from streams of range readings", "limpet"};
   app.set_version_flag("--version", std::string("limpet " LIMPET_VERSION " (arithmetic: ") +
@@ -249,7 +272,11 @@ int parse_and_run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    if (error.get_exit_code() == 0) {  // --help, --version
+      const int code = app.exit(error);
+      if (!std::cout.flush()) throw limpet::io::OutputError("standard output: cannot be written");
+      return code;
+    }
     const auto chosen = app.get_subcommands();
     const std::string help = chosen.empty() ? "limpet" : "limpet " + chosen.front()->get_name();
     return fail(std::string(error.what()) + "; see " + help + " --help", kBadInput);
@@ -262,6 +289,7 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  take_failing_writes_as_errors();
   try {
     return parse_and_run(argc, argv);
   } catch (const UsageError& error) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limpet/model/model.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace limpet::app {
@@ -20,11 +21,20 @@ class Stages {
   /// the last is `final_model`. Returns their names. Errors: io::OutputError.
   std::vector<std::string> save(const std::string& path, const model::ModelRecord& final_model) const;
 
+  /// What has been kept so far, as text, and back. restore() throws io::InputError when it is none.
+  /// Precondition of restore(): a new one that keeps as many.
+  std::string state() const;
+  void restore(std::string_view state);
+
  private:
   int count_;
   std::int64_t interval_ = 1, next_ = 1;  ///< sets
   std::int64_t sets_ = 0;
-  std::vector<model::ModelRecord> kept_;
+  struct Kept {
+    std::int64_t points;
+    std::string native;  ///< the file
+  };
+  std::vector<Kept> kept_;
 };
 
 }  // namespace limpet::app

@@ -2,6 +2,7 @@
 #include <limpet/geometry/bridge.hpp>
 
 #include <cmath>
+#include <tuple>
 
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/geometry/search.hpp>
@@ -104,8 +105,8 @@ std::vector<Contact> contacts(const Polygon& a, const Polygon& b, double gap) {
   });
   std::sort(result.begin(), result.end(), [&](const Contact& p, const Contact& q) {
     if (p.x.squared_distance != q.x.squared_distance) return p.x.squared_distance < q.x.squared_distance;
-    const auto key = [&](const Contact& c) {
-      return std::pair(a.node(c.x.edge).edge, b.node(c.y.edge).edge);
+    const auto key = [&](const Contact& c) {  // of parallel edges several pairs are equally near
+      return std::tuple(a.node(c.x.edge).edge, b.node(c.y.edge).edge, c.x.fraction, c.y.fraction);
     };
     return key(p) < key(q);
   });

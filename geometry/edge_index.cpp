@@ -25,7 +25,11 @@ bool EdgeIndex::fits(const Box2& box, std::size_t edges) const {
 void EdgeIndex::reset(const Box2& box, std::size_t edges) {
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
   // A quarter of room on every side, so that a growing perimeter seldom asks for a new grid.
-  grid_ = CellGrid(box.grown(rounded_down(std::max(width, height) / 4) + 4), edges);
+  reset_cells(box.grown(rounded_down(std::max(width, height) / 4) + 4), edges);
+}
+
+void EdgeIndex::reset_cells(const Box2& cells_box, std::size_t edges) {
+  grid_ = CellGrid(cells_box, edges);
   built_for_ = edges;
   states_.assign(grid_.count(), 0);
   edges_.assign(grid_.count(), {});

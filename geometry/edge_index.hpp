@@ -41,6 +41,10 @@ class EdgeIndex {
 
   /// Starts anew for a boundary of `edges` edges in `box`; all edges are then added by add().
   void reset(const Box2& box, std::size_t edges);
+  /// The same with the very cells of an index that was built for `edges` and had cells_box() as its box.
+  void reset_cells(const Box2& cells_box, std::size_t edges);
+  const Box2& cells_box() const { return grid_.box(); }
+  std::size_t built_for() const { return built_for_; }
   void clear() { states_.clear(), edges_.clear(); }
   void add(std::uint32_t slot, Point2 a, Point2 b);
   void remove(std::uint32_t slot, Point2 a, Point2 b);

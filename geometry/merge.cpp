@@ -53,6 +53,8 @@ std::vector<std::pair<Slot, EdgeId>> needles(const Polygon& a, const Polygon& b)
     if (needle && any_edge_within(b, a.at(a.prev(s)), tip, kWidth)) found.emplace_back(s, a.node(s).edge);
     return false;
   });
+  std::sort(found.begin(), found.end(), [](const auto& p, const auto& q) { return p.second < q.second; });
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 

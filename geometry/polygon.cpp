@@ -143,17 +143,23 @@ void Polygon::relabel(Slot first, CycleId id, bool hole) {
 
 void Polygon::rebuild_index() {
   box_ = {};
-  std::vector<Segment2> all;
   for (const Node& n : nodes_)
-    if (n.edge) {
-      box_.add(n.at);
-      all.emplace_back(n.at, at(n.next));
-    }
+    if (n.edge) box_.add(n.at);
   index_.clear();
   if (index_size() < EdgeIndex::kMinimum) return;
   index_.reset(box_, index_size());
-  for (std::uint32_t i = 0; i < nodes_.size(); ++i)
-    if (nodes_[i].edge) index_.add(i, nodes_[i].at, at(nodes_[i].next));
+  fill_index();
+}
+
+void Polygon::fill_index() {
+  std::vector<Segment2> all;
+  all.reserve(edge_count_);
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    if (!nodes_[i].edge) continue;
+    const Point2 a = nodes_[i].at, b = at(nodes_[i].next);
+    index_.add(i, a, b);
+    all.emplace_back(a, b);
+  }
   index_.flip(all);
 }
 

@@ -48,6 +48,8 @@ enum class Verdict {
 };
 const char* to_string(Verdict);
 
+struct PolygonState;
+
 /// A planar polygon: one outer perimeter (anticlockwise) and any number of hole perimeters (clockwise), so
 /// that the inside is always on the left of an edge.
 ///
@@ -73,6 +75,11 @@ class Polygon {
   };
 
   Polygon() = default;
+
+  /// Puts together what state() took apart: what is done with it from then on gives the same bits. Throws
+  /// std::invalid_argument, with the reason, when the links do not fit together or the polygon is not valid.
+  static Polygon from_state(PolygonState);
+  PolygonState state() const;
 
   /// The polygon with these cycles, outer first, or nothing when they are not valid (see the invariant).
   static std::optional<Polygon> from_cycles(std::span<const std::vector<NewVertex>> cycles, EdgeIds& ids);
@@ -150,6 +157,7 @@ class Polygon {
   void relabel(Slot first, CycleId, bool hole);
   CycleId add_cycle();
   void rebuild_index();
+  void fill_index();
   /// How many edges the index is for. Where many slots are free, looking at all of them would cost more.
   std::size_t index_size() const {
     return nodes_.size() <= 2 * EdgeIndex::kMinimum ? edge_count_
@@ -184,6 +192,22 @@ class Polygon {
   std::vector<std::pair<Slot, EdgeId>> created_;
   std::uint64_t version_ = 0, joins_ = 0;
   mutable std::uint32_t stamp_ = 0;
+};
+
+/// All of a polygon, as plain data: free places and their order too, so that new vertices go where they would
+/// have gone. The index of edges is not in it, but what it was built for: that decides when it is built anew.
+struct PolygonState {
+  std::vector<Polygon::Node> nodes;
+  std::vector<Polygon::Cycle> cycles;
+  std::vector<std::uint32_t> free;  ///< places among the nodes, the next one to be taken last
+  Point2 origin;
+  double twice_area = 0;
+  Box2 box;
+  Box2 index_box;                 ///< of the index's cells; of no meaning where it is not active
+  std::uint64_t index_edges = 0;  ///< 0: not active
+  std::vector<EdgeId> removed;
+  std::vector<std::pair<Slot, EdgeId>> created;
+  std::uint64_t version = 0, joins = 0;
 };
 
 }  // namespace limpet::geometry

@@ -13,10 +13,12 @@ std::optional<PerimeterPoint> nearest_perimeter_point(const Polygon& polygon, Po
   polygon.any_edge_near(Box2{p, p}.grown(within), [&](Slot s) {
     if (cycle && polygon.node(s).cycle != *cycle) return false;
     const Point2 a = polygon.at(s), b = polygon.end(s);
-    if (best && box_of(a, b).squared_distance(p) > best->squared_distance) return false;
+    const double box_d2 = box_of(a, b).squared_distance(p);
+    if (best && box_d2 > best->squared_distance) return false;
     const double t = nearest_fraction(a, b, p);
     const Point2 at = a + t * (b - a);
-    const double d2 = squared_length(at - p);
+    // Never below the box's, by rounding: the same edge is best in whatever order they come.
+    const double d2 = std::max(squared_length(at - p), box_d2);
     if (d2 >= limit) return false;
     if (best && (d2 > best->squared_distance ||
                  (d2 == best->squared_distance && !(polygon.node(s).edge < polygon.node(best->edge).edge))))

@@ -12,8 +12,23 @@
 
 namespace limpet::io {
 namespace {
+
 constexpr std::size_t kBufferBytes = 1 << 20;
+constexpr int kAttempts = 100;
+
+std::string folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
 }
+
+std::string name_of(int file) { return "/proc/self/fd/" + std::to_string(file); }
+
+/// The process number keeps two programs that write the same file from writing the same bytes aside.
+std::string aside_name(const std::string& target, int attempt) {
+  return target + ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+}
+
+}  // namespace
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
   struct stat found;
@@ -22,22 +37,53 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
     throw OutputError(path_ + ": is a folder; give the name of a file in it");
   }
   if (exists && !S_ISREG(found.st_mode)) {  // a device or a pipe must be written to, never replaced
+    device_ = true;
     file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
     if (exists) target_ = std::filesystem::canonical(path_).string();  // a link stays a link
-    open_aside();
+    open_unnamed();
+    if (file_ < 0) open_aside();
   }
   if (file_ < 0) fail("cannot be written");
   buffer_.reserve(kBufferBytes);
 }
 
+/// Leaves file_ at -1 where there is no such thing.
+void OutputFile::open_unnamed() {
+  file_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (file_ < 0 || ::access(name_of(file_).c_str(), F_OK) == 0) return;
+  ::close(file_);  // without /proc it cannot be given a name
+  file_ = -1;
+}
+
 void OutputFile::open_aside() {
-  // The process number keeps two programs that write the same file from writing the same bytes aside.
-  for (int attempt = 0; attempt < 100; ++attempt) {
-    aside_ = target_ + ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    aside_ = aside_name(target_, attempt);
     file_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file_ >= 0 || errno != EEXIST) return;
   }
+}
+
+bool OutputFile::link_to(const std::string& name) {
+  if (::linkat(AT_FDCWD, name_of(file_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
+  if (errno != EEXIST) fail("cannot be written");
+  return false;
+}
+
+/// The final name if it is free, else one aside: a link takes no other's place.
+void OutputFile::give_name() {
+  if (link_to(target_)) return;
+  for (int attempt = 0; attempt < kAttempts && aside_.empty(); ++attempt)
+    if (const std::string name = aside_name(target_, attempt); link_to(name)) aside_ = name;
+  if (aside_.empty()) fail("cannot be written");
+}
+
+/// So that the name is on the disk, too. Some file systems cannot, and some folders may not be read.
+void OutputFile::sync_folder() const {
+  const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  ::fsync(folder);
+  ::close(folder);
 }
 
 OutputFile::~OutputFile() {
@@ -82,10 +128,15 @@ void OutputFile::overwrite(std::int64_t offset, std::string_view bytes) {
 
 void OutputFile::close() {
   flush();
+  if (!device_ && ::fsync(file_) != 0) fail("cannot be written");
+  if (!device_ && aside_.empty()) give_name();
   const int file = file_;
   file_ = -1;
   const bool closed = ::close(file) == 0;
-  if (closed && (aside_.empty() || ::rename(aside_.c_str(), target_.c_str()) == 0)) return;
+  if (closed && (aside_.empty() || ::rename(aside_.c_str(), target_.c_str()) == 0)) {
+    if (!device_) sync_folder();
+    return;
+  }
   const int reason = errno;
   if (!aside_.empty()) ::unlink(aside_.c_str());
   errno = reason;

@@ -171,4 +171,21 @@ void forward_label(Engine& e, SegmentId from, SegmentId to) {
   if (e.labels_kept && from != to) e.label_goes_to[from.value] = to.value;
 }
 
+std::vector<SegmentId> present_labels(const Engine& e) {
+  std::vector<SegmentId> result;
+  if (e.labels.empty()) return result;
+  // By identity, where its points have gone to: itself while it lives, 0 where nowhere. Chains of mergers are
+  // long: they are cut short on the way.
+  std::vector<std::uint64_t> gone_to(e.next_segment);
+  for (const auto& s : e.segments)
+    if (s) gone_to[s->id.value] = s->id.value;
+  for (const auto& [from, to] : e.label_goes_to) gone_to[from] = to;
+  result.reserve(e.labels.size());
+  for (std::uint64_t id : e.labels) {
+    while (gone_to[id] != id && id != 0) id = gone_to[id] = gone_to[gone_to[id]];
+    result.push_back({id});
+  }
+  return result;
+}
+
 }  // namespace limpet::model::internal

@@ -7,6 +7,8 @@
 #include <memory>
 #include <set>
 #include <span>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -198,6 +200,8 @@ void mark_modified(Engine&, Segment&);
 void update_index(Engine&, Segment&);
 void set_label(Engine&, const RawPoint&, SegmentId);
 void forward_label(Engine&, SegmentId from, SegmentId to);
+/// Where the points are now that labels are kept of; 0: nowhere.
+std::vector<SegmentId> present_labels(const Engine&);
 /// Notes that the description changed in `where` (world).
 void description_changed(Engine&, Segment&, const Places& where);
 void count_area(Engine&, PolygonPart&);
@@ -419,6 +423,15 @@ void finish(Engine&);
 // record.cpp
 ModelRecord to_record(const Engine&);
 void from_record(Engine&, const ModelRecord&);
+
+// state.cpp
+std::string to_state(const Engine&);
+Engine from_state(std::string_view);
+
+// state_checks.cpp
+/// Throws std::invalid_argument when what was read is none that calls could have left behind, as far as going
+/// on from it could do harm. Precondition: Engine::slot_of and Engine::shared are filled.
+void require_sound(const Engine&);
 
 // open_edges.cpp
 std::vector<OpenEdge> open_edges(const Engine&);

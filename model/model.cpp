@@ -27,6 +27,8 @@ Model::Model(const Parameters& p) : state_(std::make_unique<State>(State{interna
 
 Model::Model(const ModelRecord& r) : Model(parameters_of(r)) { internal::from_record(state_->engine, r); }
 
+Model::Model(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
 Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 Model& Model::operator=(Model&&) noexcept = default;
@@ -66,6 +68,12 @@ Counts Model::counts() const {
 
 ModelRecord Model::record() const { return internal::to_record(state_->engine); }
 
+std::string Model::state() const { return internal::to_state(state_->engine); }
+
+Model Model::from_state(std::string_view bytes) {
+  return Model(std::make_unique<State>(State{internal::from_state(bytes)}));
+}
+
 std::vector<std::vector<SegmentId>> Model::surfaces() const { return internal::surfaces(state_->engine); }
 
 std::vector<OpenEdge> Model::open_edges() const { return internal::open_edges(state_->engine); }
@@ -76,16 +84,6 @@ void Model::measure_stages() { state_->engine.stage_clock.measure(); }
 
 StageTimes Model::stage_times() const { return state_->engine.stage_clock.times(); }
 
-std::vector<SegmentId> Model::labels() const {
-  const auto& e = state_->engine;
-  std::vector<SegmentId> result;
-  result.reserve(e.labels.size());
-  for (std::uint64_t id : e.labels) {
-    for (auto next = e.label_goes_to.find(id); next != e.label_goes_to.end(); next = e.label_goes_to.find(id))
-      id = next->second;
-    result.push_back({e.slot_of.count(id) ? id : 0});
-  }
-  return result;
-}
+std::vector<SegmentId> Model::labels() const { return internal::present_labels(state_->engine); }
 
 }  // namespace limpet::model

@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <limpet/model/changes.hpp>
@@ -74,7 +76,9 @@ class Model {
  public:
   /// Throws std::invalid_argument when a parameter is out of range.
   explicit Model(const Parameters&);
-  /// Goes on from a record. Throws std::invalid_argument when a perimeter in it is not valid.
+  /// Goes on from a record. Throws std::invalid_argument when a perimeter in it is not valid. The laws hold
+  /// of what follows, but it is not what the model of the record would have come to: for that there is
+  /// from_state().
   explicit Model(const ModelRecord&);
   ~Model();
   Model(Model&&) noexcept;
@@ -99,6 +103,15 @@ class Model {
   /// Everything, as plain data.
   ModelRecord record() const;
 
+  /// All that what follows depends on, between two calls, as bytes: also what a record leaves out, as what is
+  /// to be looked at next. The same model gives the same bytes. For this build of the program: what another
+  /// version wrote may be refused. Some tens of bytes an edge, and eight a point where labels are kept.
+  std::string state() const;
+  /// Goes on where state() was taken: every later call changes the same, gives the same, and leaves the same
+  /// state behind, to the bit, as if nothing had been in between. Throws std::invalid_argument when the bytes
+  /// are damaged, or of another version or arithmetic.
+  static Model from_state(std::string_view bytes);
+
   /// Connected components of the neighbour relation, each ascending, in the order of their lowest identity
   /// (thesis §2.2).
   std::vector<std::vector<SegmentId>> surfaces() const;
@@ -120,6 +133,7 @@ class Model {
 
  private:
   struct State;
+  explicit Model(std::unique_ptr<State>);
   std::unique_ptr<State> state_;
 };
 

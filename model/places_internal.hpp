@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <limpet/model/spatial_index.hpp>
@@ -13,6 +14,12 @@ class Places {
  public:
   Places() = default;
   Places(const Box3& place) { add(place); }  // NOLINT(google-explicit-constructor): one place is places
+  /// What boxes() told.
+  static Places of_boxes(std::vector<Box3> boxes) {
+    Places places;
+    places.boxes_ = std::move(boxes);
+    return places;
+  }
   void add(const Box3& place);
   void add(const Places& other) {
     for (const Box3& place : other.boxes_) add(place);

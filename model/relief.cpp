@@ -54,11 +54,15 @@ Relief::Sum Relief::around(double side, geometry::Point2 p) const {
   return all;
 }
 
-std::vector<Relief::Sum> Relief::squares() const {
+std::vector<std::pair<std::uint64_t, Relief::Sum>> Relief::keyed_squares() const {
   std::vector<std::pair<std::uint64_t, Sum>> sorted(squares_.begin(), squares_.end());
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return sorted;
+}
+
+std::vector<Relief::Sum> Relief::squares() const {
   std::vector<Sum> result;
-  for (const auto& [place, sum] : sorted) result.push_back(sum);
+  for (const auto& [place, sum] : keyed_squares()) result.push_back(sum);
   return result;
 }
 

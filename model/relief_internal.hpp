@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <limpet/geometry/types.hpp>
@@ -26,6 +28,13 @@ class Relief {
   bool empty() const { return squares_.empty(); }
   /// All squares, in an order that depends on the surface alone.
   std::vector<Sum> squares() const;
+  /// The same with their keys, ascending.
+  std::vector<std::pair<std::uint64_t, Sum>> keyed_squares() const;
+  static Relief of_squares(std::span<const std::pair<std::uint64_t, Sum>> squares) {
+    Relief relief;
+    relief.squares_.insert(squares.begin(), squares.end());
+    return relief;
+  }
 
  private:
   std::unordered_map<std::uint64_t, Sum> squares_;

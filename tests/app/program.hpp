@@ -28,6 +28,7 @@ struct Surroundings {
   std::string folder;                                          ///< to run in; empty: here
   std::vector<std::pair<std::string, std::string>> variables;  ///< of the environment
   std::string input;                                           ///< a file for standard input; empty: nothing
+  int output = -1;  ///< a descriptor for standard output; -1: a file
 };
 
 /// A test with a folder of its own, gone when it ends, and the program to run in it.
@@ -44,6 +45,7 @@ class ProgramTest : public limpet::testing::TemporaryFolder {
       if (!around.folder.empty() && ::chdir(around.folder.c_str()) != 0) ::_exit(126);
       redirect(around.input.empty() ? "/dev/null" : around.input, O_RDONLY, STDIN_FILENO);
       redirect(path("stdout"), O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
+      if (around.output >= 0 && ::dup2(around.output, STDOUT_FILENO) < 0) ::_exit(125);
       redirect(path("stderr"), O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
       ::execv(LIMPET_PROGRAM, argv.data());
       ::_exit(127);

@@ -1,0 +1,29 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstdint>
+#include <limpet/app/checkpoint.hpp>
+#include <string>
+
+namespace limpet::app {
+
+/// Writes the checkpoints of a run when they are due. Where one cannot be written, the run goes on: it says
+/// so once and tries again the next time.
+class CheckpointKeeper {
+ public:
+  /// `path` empty: keeps none. `every` so many sets, > 0.
+  CheckpointKeeper(std::string path, std::int64_t every) : path_(std::move(path)), every_(every) {}
+
+  bool on() const { return !path_.empty(); }
+  bool due(std::int64_t sets) const { return on() && sets % every_ == 0; }
+  void keep(const Checkpoint& checkpoint);
+  /// Why the last one could not be written; empty: it could, or none was due.
+  const std::string& failure() const { return failure_; }
+
+ private:
+  std::string path_;
+  std::int64_t every_;
+  std::string failure_;
+};
+
+}  // namespace limpet::app

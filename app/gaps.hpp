@@ -1,0 +1,35 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstdint>
+#include <limpet/model/changes.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limpet::app {
+
+/// How many records without a point stand before which point, for --labels.
+class Gaps {
+ public:
+  void add(std::int64_t before_point, std::int64_t records) {
+    if (records > 0) gaps_.emplace_back(before_point, records);
+  }
+  /// One line a record.
+  std::string label_lines(const std::vector<model::SegmentId>& labels) const {
+    std::string text;
+    auto gap = gaps_.begin();
+    for (std::size_t i = 0; i <= labels.size(); ++i) {
+      for (; gap != gaps_.end() && gap->first == static_cast<std::int64_t>(i); ++gap) {
+        for (std::int64_t k = 0; k < gap->second; ++k) text += "0\n";
+      }
+      if (i < labels.size()) text += std::to_string(labels[i].value) + "\n";
+    }
+    return text;
+  }
+
+ private:
+  std::vector<std::pair<std::int64_t, std::int64_t>> gaps_;
+};
+
+}  // namespace limpet::app

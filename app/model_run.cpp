@@ -1,0 +1,237 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/app/model_run.hpp>
+
+#include <cstdio>
+#include <limpet/app/arguments.hpp>
+#include <limpet/app/interrupt.hpp>
+#include <limpet/app/mesh_model.hpp>
+#include <limpet/app/progress.hpp>
+#include <limpet/io/error.hpp>
+#include <limpet/io/mesh_writer.hpp>
+#include <stdexcept>
+#include <utility>
+
+namespace limpet::app {
+namespace {
+
+constexpr double kEnoughPoints = 3;  ///< per λ²; with fewer nothing links up
+
+model::Model make_model(const model::Parameters& parameters) {
+  try {
+    return model::Model(parameters);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+void add_initial(model::Model& model, const std::string& mesh) {
+  try {
+    model.add_initial(initial_faces(mesh));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(mesh + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+ModelRun::ModelRun(const ModelArguments& args, std::optional<Checkpoint> checkpoint)
+    : args_(args),
+      options_(args.checkpoint.empty() ? std::vector<CheckpointOption>{} : options_of(args)),
+      from_(std::move(checkpoint)),
+      scan_(args.scan, {args.viewpoint, args.orient, {}, {}}),
+      keeper_(args.checkpoint, args.checkpoint_every),
+      stages_(args.stages) {
+  if (from_) require_same_options(args.checkpoint, *from_, options_);
+}
+
+int ModelRun::go() {
+  require_points(scan_, args_);
+  LookAhead ahead(scan_);
+  model::Model model = from_ ? resume() : begin(ahead);
+  if (from_ && !catch_up()) return kFallsShort;
+  from_.reset();
+  read_all(model, ahead.points());
+  return write(model);
+}
+
+model::Model ModelRun::begin(LookAhead& ahead) {
+  const model::Parameters parameters = choose_parameters(args_, scan_, ahead);
+  say_choice(args_, parameters);
+  if (!scan_.first()->has_axis) {
+    voxel_edge_ = voxel_edge(ahead, parameters.resolution);
+    orient(scan_, args_, voxel_edge_);
+  }
+  model::Model model = make_model(parameters);
+  if (!args_.initial.empty()) add_initial(model, args_.initial);
+  if (!args_.labels.empty()) model.keep_labels();
+  return model;
+}
+
+model::Model ModelRun::resume() {
+  try {
+    model::Model model = model::Model::from_state(from_->model);
+    from_->model = std::string();
+    stages_.restore(from_->stages);
+    say_choice(args_, model.parameters());
+    voxel_edge_ = from_->voxel_edge;
+    if (scan_.first()->has_axis != (voxel_edge_ == 0))
+      throw io::InputError(name_of(scan_, args_), "is not the scan that " + args_.checkpoint +
+                                                      " was written for, or it has changed since");
+    if (voxel_edge_ > 0) orient(scan_, args_, voxel_edge_);
+    return model;
+  } catch (const std::invalid_argument& error) {
+    throw io::InputError(args_.checkpoint, error.what());
+  }
+}
+
+bool ModelRun::catch_up() {
+  Progress progress("reading again", from_->points, args_.quiet);
+  Reading reading;
+  while (given_ < from_->points && !interrupted() && scan_.next(reading.point, reading.skipped)) {
+    count_in(reading);
+    progress.step(given_);
+  }
+  progress.clear();
+  if (interrupted()) {
+    std::fprintf(stderr, "limpet: interrupted on the way to where %s goes on; nothing is written\n",
+                 args_.checkpoint.c_str());
+    return false;
+  }
+  if (given_ < from_->points && !scan_.damage().empty()) throw io::InputError(scan_.damage());
+  if (given_ < from_->points || digest_.value() != from_->digest)
+    throw io::InputError(name_of(scan_, args_), "is not the scan that " + args_.checkpoint +
+                                                    " was written for, or it has changed since");
+  sets_ = from_->sets;
+  violations_ = from_->violations;
+  before_ = from_->seconds;
+  return true;
+}
+
+void ModelRun::read_all(model::Model& model, std::int64_t total) {
+  Progress progress("modelling", total, args_.quiet);
+  start_ = Clock::now();
+  std::vector<Reading> set;
+  for (;;) {
+    read_set(set);
+    // A signal ends standard input wherever it is: what has just been read may be cut short.
+    if (interrupted() || set.empty()) break;
+    give(model, set);
+    if (keeper_.due(sets_)) keep_checkpoint(model);
+    progress.step(given_);
+  }
+  interrupted_ = interrupted();
+  if (interrupted_ && sets_ > 0) keep_checkpoint(model);
+  if (interrupted_ && !set.empty()) give(model, set);
+  if (!interrupted_) model.finish();
+  seconds_ = seconds_so_far();
+  gaps_.add(given_, scan_.skipped_at_end());
+}
+
+void ModelRun::read_set(std::vector<Reading>& set) {
+  set.clear();
+  Reading reading;
+  while (static_cast<std::int64_t>(set.size()) < args_.set_size && !interrupted() &&
+         scan_.next(reading.point, reading.skipped))
+    set.push_back(reading);
+}
+
+void ModelRun::count_in(const Reading& reading) {
+  gaps_.add(given_++, reading.skipped);
+  sample_.add(reading.point);
+  if (!keeper_.on()) return;
+  for (const Eigen::Vector3d& v : {reading.point.position, reading.point.axis})
+    digest_.add(v.x()), digest_.add(v.y()), digest_.add(v.z());
+  digest_.add(reading.point.range);
+  digest_.add(static_cast<std::uint64_t>(reading.skipped));
+}
+
+void ModelRun::give(model::Model& model, const std::vector<Reading>& set) {
+  points_.clear();
+  for (const Reading& reading : set) {
+    count_in(reading);
+    points_.push_back(reading.point);
+  }
+  model.update(points_);
+  stages_.look(model);
+  ++sets_;
+  if (args_.check_every > 0 && sets_ % args_.check_every == 0)
+    judge(model.record(), "set " + std::to_string(sets_));
+}
+
+void ModelRun::keep_checkpoint(const model::Model& model) {
+  if (!keeper_.on()) return;
+  const auto start = Clock::now();
+  keeper_.keep({options_, given_, sets_, digest_.value(), violations_, seconds_so_far(), voxel_edge_,
+                stages_.state(), model.state()});
+  apart_ += std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void ModelRun::judge(const model::ModelRecord& record, const std::string& when) {
+  const auto start = Clock::now();
+  for (const auto& violation : app::judge(record)) {
+    if (violations_++ < 20) {
+      std::fprintf(stderr, "limpet: broken after %s: %s, %s: %s\n", when.c_str(), violation.law.c_str(),
+                   violation.where.c_str(), violation.what.c_str());
+    }
+  }
+  apart_ += std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double ModelRun::seconds_so_far() const {
+  return before_ + std::chrono::duration<double>(Clock::now() - start_).count() - apart_;
+}
+
+int ModelRun::write(const model::Model& model) {
+  const model::ModelRecord record = model.record();
+  judge(record, "the final model");
+  const Summary summary = summarise_run(model, record);
+  save(model, record, summary);
+  report(summary);
+  if (!summary.damage.empty()) throw io::InputError(summary.damage + "; what was read before it is modelled");
+  if (!keeper_.failure().empty())
+    throw io::OutputError(keeper_.failure() + "; the model is written, but not the last checkpoint");
+  return summary.violations > 0 || summary.interrupted ? kFallsShort : kDone;
+}
+
+Summary ModelRun::summarise_run(const model::Model& model, const model::ModelRecord& record) const {
+  Summary summary = summarise(record, model.open_edges());
+  summary.refused += scan_.skipped();
+  summary.violations = violations_;
+  summary.seconds = seconds_;
+  summary.axes_guessed = voxel_edge_ > 0;
+  summary.interrupted = interrupted_;
+  if (!interrupted_) summary.damage = scan_.damage();
+  return summary;
+}
+
+void ModelRun::save(const model::Model& model, const model::ModelRecord& record,
+                    const Summary& summary) const {
+  for (const std::string& path : args_.models) io::save_model(path, record);
+  if (args_.stages > 0) stages_.save(args_.models.front(), record);
+  if (!args_.labels.empty()) save_text(args_.labels, gaps_.label_lines(model.labels()));
+  if (!args_.json.empty()) save_text(args_.json, to_json(summary));
+}
+
+void ModelRun::report(const Summary& summary) const {
+  if (summary.interrupted) {
+    std::fprintf(stderr, "limpet: interrupted after %s points; the model so far is written\n",
+                 grouped(summary.points).c_str());
+  }
+  warn_of_density(summary);
+  if (args_.quiet) return;
+  std::string text = to_text(summary) + "written:";
+  for (const std::string& path : args_.models) text += " " + path;
+  std::fprintf(for_people(args_), "%s\n", text.c_str());
+}
+
+void ModelRun::warn_of_density(const Summary& summary) const {
+  const Estimate found = estimate(sample_);
+  const double density = summary.resolution * summary.resolution / found.area_per_point;
+  if (!(found.area_per_point > 0) || density >= kEnoughPoints) return;
+  std::fprintf(stderr,
+               "limpet: warning: %.1f points per square of the resolution %.4g are too few for surfaces to "
+               "link up; --resolution %.3g would do\n",
+               density, summary.resolution, suitable_resolution(found, summary.noise));
+}
+
+}  // namespace limpet::app
