@@ -128,7 +128,8 @@ void OutputFile::overwrite(std::int64_t offset, std::string_view bytes) {
 
 void OutputFile::close() {
   flush();
-  if (!device_ && ::fsync(file_) != 0) fail("cannot be written");
+  while (!device_ && ::fsync(file_) != 0)
+    if (errno != EINTR) fail("cannot be written");
   if (!device_ && aside_.empty()) give_name();
   const int file = file_;
   file_ = -1;

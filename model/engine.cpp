@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "engine_internal.hpp"
 
@@ -171,21 +172,20 @@ void forward_label(Engine& e, SegmentId from, SegmentId to) {
   if (e.labels_kept && from != to) e.label_goes_to[from.value] = to.value;
 }
 
-std::vector<SegmentId> present_labels(const Engine& e) {
-  std::vector<SegmentId> result;
-  if (e.labels.empty()) return result;
-  // By identity, where its points have gone to: itself while it lives, 0 where nowhere. Chains of mergers are
-  // long: they are cut short on the way.
-  std::vector<std::uint64_t> gone_to(e.next_segment);
-  for (const auto& s : e.segments)
-    if (s) gone_to[s->id.value] = s->id.value;
-  for (const auto& [from, to] : e.label_goes_to) gone_to[from] = to;
-  result.reserve(e.labels.size());
-  for (std::uint64_t id : e.labels) {
-    while (gone_to[id] != id && id != 0) id = gone_to[id] = gone_to[gone_to[id]];
-    result.push_back({id});
+void settle_labels(Engine& e) {
+  auto& goes_to = e.label_goes_to;
+  const auto end_of = [&](std::uint64_t id) {
+    std::uint64_t last = id;
+    for (auto next = goes_to.find(id); next != goes_to.end(); next = goes_to.find(last)) last = next->second;
+    while (id != last) id = std::exchange(goes_to.at(id), last);  // the next one has a shorter way
+    return e.slot_of.count(last) ? last : 0;
+  };
+  std::uint64_t before = 0, settled = 0;  // points in a row are often in one segment
+  for (std::uint64_t& label : e.labels) {
+    if (label != before) before = label, settled = end_of(label);
+    label = settled;
   }
-  return result;
+  goes_to.clear();
 }
 
 }  // namespace limpet::model::internal

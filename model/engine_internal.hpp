@@ -200,8 +200,8 @@ void mark_modified(Engine&, Segment&);
 void update_index(Engine&, Segment&);
 void set_label(Engine&, const RawPoint&, SegmentId);
 void forward_label(Engine&, SegmentId from, SegmentId to);
-/// Where the points are now that labels are kept of; 0: nowhere.
-std::vector<SegmentId> present_labels(const Engine&);
+/// Makes labels name the segments where the points are now; 0: nowhere. Nothing else is changed by it.
+void settle_labels(Engine&);
 /// Notes that the description changed in `where` (world).
 void description_changed(Engine&, Segment&, const Places& where);
 void count_area(Engine&, PolygonPart&);
@@ -425,6 +425,7 @@ ModelRecord to_record(const Engine&);
 void from_record(Engine&, const ModelRecord&);
 
 // state.cpp
+/// Precondition: labels are settled.
 std::string to_state(const Engine&);
 Engine from_state(std::string_view);
 

@@ -68,7 +68,10 @@ Counts Model::counts() const {
 
 ModelRecord Model::record() const { return internal::to_record(state_->engine); }
 
-std::string Model::state() const { return internal::to_state(state_->engine); }
+std::string Model::state() const {
+  internal::settle_labels(state_->engine);
+  return internal::to_state(state_->engine);
+}
 
 Model Model::from_state(std::string_view bytes) {
   return Model(std::make_unique<State>(State{internal::from_state(bytes)}));
@@ -84,6 +87,12 @@ void Model::measure_stages() { state_->engine.stage_clock.measure(); }
 
 StageTimes Model::stage_times() const { return state_->engine.stage_clock.times(); }
 
-std::vector<SegmentId> Model::labels() const { return internal::present_labels(state_->engine); }
+std::vector<SegmentId> Model::labels() const {
+  internal::settle_labels(state_->engine);
+  std::vector<SegmentId> result;
+  result.reserve(state_->engine.labels.size());
+  for (const std::uint64_t id : state_->engine.labels) result.push_back({id});
+  return result;
+}
 
 }  // namespace limpet::model

@@ -105,7 +105,8 @@ class Model {
 
   /// All that what follows depends on, between two calls, as bytes: also what a record leaves out, as what is
   /// to be looked at next. The same model gives the same bytes. For this build of the program: what another
-  /// version wrote may be refused. Some tens of bytes an edge, and eight a point where labels are kept.
+  /// version wrote may be refused. Some tens of bytes an edge, and eight a point where labels are kept. Not
+  /// to be asked for, nor labels(), by two threads at once: labels are brought up to date.
   std::string state() const;
   /// Goes on where state() was taken: every later call changes the same, gives the same, and leaves the same
   /// state behind, to the bit, as if nothing had been in between. Throws std::invalid_argument when the bytes

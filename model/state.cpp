@@ -80,8 +80,7 @@ void fill_indices(Engine& e) {
 std::string to_state(const Engine& e) {
   Writer writer;
   writer.append(head());
-  writer(e.parameters, e, ages_that_matter(e), refusals_that_matter(e), present_labels(e),
-         shared_in_order(e));
+  writer(e.parameters, e, ages_that_matter(e), refusals_that_matter(e), e.labels, shared_in_order(e));
   writer(digest_of(writer.bytes()));
   return std::move(writer.bytes());
 }
@@ -98,11 +97,9 @@ Engine from_state(std::string_view bytes) {
   Parameters parameters;
   reader(parameters);
   Engine e(parameters);
-  std::vector<SegmentId> labels;
   std::map<geometry::EdgeId, SharedEdge> shared;
-  reader(e, e.by_age, e.refused_pairs, labels, shared);
+  reader(e, e.by_age, e.refused_pairs, e.labels, shared);
   if (reader.left() > 0) Reader::refuse("goes on behind its end");
-  for (const SegmentId id : labels) e.labels.push_back(id.value);
   list_segments(e);
   list_shared(e, shared);
   require_sound(e);
