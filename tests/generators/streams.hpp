@@ -53,7 +53,7 @@ namespace streams_detail {
 using Sample = std::array<int, 3>;
 constexpr int kReach = 64;
 
-inline constexpr int kKinds = 14;
+inline constexpr int kKinds = 16;
 
 /// A piece of a world, in units of λ; its surface is seen from above.
 struct Piece {
@@ -65,7 +65,7 @@ struct Piece {
 
 /// The reading of a sample. `mu` is the angular resolution.
 inline SensorPoint reading(const Piece& piece, const Sample& s, double mu) {
-  const double u = s[0] / 8.0, v = s[1] / 8.0, w = s[2] / 8.0;
+  const double u = s[0] / 16.0, v = s[1] / 16.0, w = s[2] / 16.0;  // up to 4 λ
   const double hair = (1 + piece.a) / 64.0;
   Vector3d p(u, v, 0), axis(0, 0, -1);
   switch (piece.kind) {
@@ -111,13 +111,24 @@ inline SensorPoint reading(const Piece& piece, const Sample& s, double mu) {
       p.y() = hair * v;
       break;
     case 11:  // round a bore
-      p -= Vector3d(4, 4, 0);
-      if (const double r = p.norm(); r < 1.5) p *= (r > 0 ? 2.5 / r : 0);
+      p -= Vector3d(2, 2, 0);
+      if (const double r = p.norm(); r < 1) p *= (r > 0 ? 1.5 / r : 0);
       break;
     case 12: {  // a cylinder
       const double angle = u;
       axis = -Vector3d(std::cos(angle), 0, std::sin(angle));
       p = -(1 + piece.a / 4.0) * axis + Vector3d(0, v, 0);
+      break;
+    }
+    case 13:
+    case 14: {  // the faces of a box, from outside or, as a room, from inside
+      const double size = 2 + piece.a / 4.0;
+      const int face = s[2] % 6;
+      p = size * Vector3d(s[0], s[1], face / 3 * kReach) / kReach;
+      axis = Vector3d(0, 0, face / 3 ? -1 : 1);
+      for (int k = face % 3; k > 0; --k)
+        p = Vector3d(p.z(), p.x(), p.y()), axis = Vector3d(axis.z(), axis.x(), axis.y());
+      if (piece.kind == 14) axis = -axis;
       break;
     }
     default:  // a comb
@@ -206,15 +217,15 @@ inline Piece any_piece() {
   if (one_of(3) == 2) piece.turn = one_of(40);
   const auto part = gen::resize(rc::kNominalSize, gen::inRange(0, kReach));
   // Several samples for each unit of size: surfaces are made of many points.
-  piece.samples = *gen::scale(3.0, gen::container<std::vector<Sample>>(gen::container<Sample>(part)));
+  piece.samples = *gen::scale(6.0, gen::container<std::vector<Sample>>(gen::container<Sample>(part)));
   return piece;
 }
 
 }  // namespace streams_detail
 
-/// Streams of up to about 600 readings: lines, lattices, few places, edges and corners of boxes, planes a
-/// hair apart, dihedrals about μ, spikes, bursts of outliers, bores, combs, cylinders; any unit, near and
-/// far, noise that changes, readings that are none.
+/// Streams of up to about 1200 readings: plates and boxes, lines, lattices, few places, edges and corners of
+/// boxes, planes a hair apart, dihedrals about μ, spikes, bursts of outliers, bores, combs, cylinders; any
+/// unit, near and far, noise that changes, readings that are none.
 inline rc::Gen<Stream> streams() {
   return rc::gen::exec([] {
     using namespace streams_detail;
@@ -223,7 +234,8 @@ inline rc::Gen<Stream> streams() {
     for (int i = 0; i < count; ++i) pieces.push_back(any_piece());
     Whole all;
     all.resolution = one_of(2) ? 0 : one_of(6);
-    all.angle = one_of(4), all.noise = one_of(5), all.growth = one_of(4), all.rules = one_of(4);
+    all.angle = one_of(2) ? 0 : one_of(4), all.noise = one_of(2) ? 0 : one_of(5);
+    all.growth = one_of(4), all.rules = one_of(6);
     all.place = one_of(3) == 2 ? one_of(11) : 0;
     all.set_size = one_of(64), all.order = one_of(8);
     all.spoilt = one_of(4) == 3 ? one_of(8) : 0;

@@ -154,20 +154,20 @@ std::string bytes_of(const Stream& stream) {
 }
 
 TEST(ModelLaws, TheOracleFindsNothing) {
-  expect_law("Model (1)", 60, [] {
+  expect_law("Model (1)", 150, [] {
     for_sets_of(*streams(), [](Model& model, const auto&) { RC_ASSERT(broken_laws(model.record()) == ""); });
   });
 }
 
 TEST(ModelLaws, TheSameCallsGiveTheSameBytes) {
-  expect_law("Model (2)", 60, [] {
+  expect_law("Model (2)", 150, [] {
     const Stream stream = *streams();
     RC_ASSERT(bytes_of(stream) == bytes_of(stream));
   });
 }
 
 TEST(ModelLaws, EveryReadingIsAccountedFor) {
-  expect_law("Model (3)", 60, [] {
+  expect_law("Model (3)", 150, [] {
     const Stream stream = *streams();
     std::int64_t readings = 0;
     std::size_t next = 0;
@@ -181,7 +181,7 @@ TEST(ModelLaws, EveryReadingIsAccountedFor) {
 }
 
 TEST(ModelLaws, TheChangesTellAllThatHappened) {
-  expect_law("Model (4)", 60, [] {
+  expect_law("Model (4)", 150, [] {
     Ledger segments;
     NeighbourLedger neighbours;
     for_sets_of(*streams(), [&](Model& model, const std::vector<Change>& changes) {
@@ -192,7 +192,7 @@ TEST(ModelLaws, TheChangesTellAllThatHappened) {
 }
 
 TEST(ModelLaws, SharedEdgesArePairedAndSurfacesAreTheirComponents) {
-  expect_law("Model (5)", 60, [] {
+  expect_law("Model (5)", 150, [] {
     for_sets_of(*streams(), [](Model& model, const auto&) {
       const ModelRecord record = model.record();
       std::map<std::uint64_t, std::uint64_t> partner, segment, surface;
@@ -215,7 +215,7 @@ TEST(ModelLaws, SharedEdgesArePairedAndSurfacesAreTheirComponents) {
 }
 
 TEST(ModelLaws, LookingChangesNothing) {
-  expect_law("Model (6)", 40, [] {
+  expect_law("Model (6)", 100, [] {
     const Stream stream = *streams();
     Model model(stream.parameters);
     if (one_of(2)) model.keep_labels();
@@ -231,7 +231,7 @@ TEST(ModelLaws, LookingChangesNothing) {
 }
 
 TEST(ModelLaws, ReadingsThatAreNoneAreCountedAndChangeNothingElse) {
-  expect_law("Model (7)", 40, [] {
+  expect_law("Model (7)", 100, [] {
     const Stream stream = *streams();
     Model with(stream.parameters), without(stream.parameters);
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -256,7 +256,7 @@ TEST(ModelLaws, ReadingsThatAreNoneAreCountedAndChangeNothingElse) {
 }
 
 TEST(ModelLaws, ItComesBackFromItsRecord) {
-  expect_law("Model (8)", 40, [] {
+  expect_law("Model (8)", 100, [] {
     const Stream stream = *streams();
     Model model(stream.parameters);
     for (const auto& set : stream.sets) model.update(set);
@@ -266,7 +266,7 @@ TEST(ModelLaws, ItComesBackFromItsRecord) {
 }
 
 TEST(ModelLaws, AnEmptySetIsCountedAndChangesNothingElse) {
-  expect_law("Model (9)", 40, [] {
+  expect_law("Model (9)", 100, [] {
     const Stream stream = *streams();
     Model model(stream.parameters);
     for (const auto& set : stream.sets) {
