@@ -4,7 +4,8 @@ PRESET ?= release
 PREFIX ?= /usr/local
 SOURCES = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: demo test build fuzz coverage same-bytes mutants bench bench-compare benchmarks format format-check lint install clean packages configure
+.PHONY: demo test build fuzz coverage same-bytes mutants bench bench-predicates bench-compare benchmarks
+.PHONY: format format-check lint install clean packages configure
 
 demo: configure
 	cmake --build build/$(PRESET) -j $(JOBS) --target limpet
@@ -47,6 +48,18 @@ bench:
 	for picture in streams sizes; do [ ! -f out/bench/$$picture.csv ] || \
 	  gnuplot -e "folder='out/bench'" benchmarks/plots/$$picture.gp; done
 	@echo "out/bench/report.md, with its tables as CSV and its pictures"
+
+# What exactness costs and what the float builds break (docs/predicates.md), in out/predicates: a quarter of an
+# hour; FULL=1 takes hours.
+bench-predicates:
+	tools/install_packages.sh bench
+	cmake --preset bench
+	cmake --build --preset bench -j $(JOBS) --target bench_predicates
+	build/bench/benchmarks/predicates/limpet_predicates report --out out/predicates $(if $(FULL),--full) \
+	  $(if $(PARTS),--parts $(PARTS)) --commit "$$(git describe --always --dirty)"
+	for picture in runs operations laws unions; do [ ! -f out/predicates/$$picture.csv ] || \
+	  gnuplot -e "folder='out/predicates'" benchmarks/plots/predicates_$$picture.gp; done
+	@echo "out/predicates/report.md, with its tables as CSV and its pictures"
 
 # HEAD against BASE, on the same scans in turn.
 bench-compare:

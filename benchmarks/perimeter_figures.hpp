@@ -8,6 +8,7 @@
 #include <limpet/geometry/predicates.hpp>
 
 #include "../tests/cases/perimeter_case.hpp"
+#include "child.hpp"
 
 /// What limpet_perimeter_operations counts.
 namespace limpet::benchmarks {
@@ -23,6 +24,7 @@ struct Figures {
   std::array<std::uint64_t, kKinds> longest_ns{}, total_ns{}, slow{};
   std::array<std::uint64_t, 8> unite_attempt{};  ///< [k]: unions that succeeded at attempt k
   std::array<std::uint64_t, 5> merger{};
+  std::array<std::uint64_t, 65> signals{};  ///< crashes by signal; [0]: those that were an exit
   std::uint64_t crashes = 0, hangs = 0, edges_max = 0, holes_max = 0;
   std::size_t running = kKinds;
 
@@ -55,7 +57,15 @@ inline std::string json_of(const Figures& f, std::uint64_t seed, double seconds)
     s += "\"longest_ms\": " + number(static_cast<double>(f.longest_ns[k]) * 1e-6) + ", \"mean_us\": " +
          number(static_cast<double>(f.total_ns[k]) * 1e-3 / static_cast<double>(n ? n : 1)) + "}";
   }
-  s += "\n  },\n  \"mergers\": {";
+  s += "\n  },\n  \"signals\": {";
+  bool first = true;
+  for (std::size_t k = 0; k < f.signals.size(); ++k) {
+    if (f.signals[k] == 0) continue;
+    s += (first ? "\"" : ", \"") + (k == 0 ? "exit" : signal_name(static_cast<int>(k))) +
+         "\": " + number(f.signals[k]);
+    first = false;
+  }
+  s += "},\n  \"mergers\": {";
   constexpr std::array names = {"contained", "united", "bridged", "too_far", "refused"};
   for (std::size_t k = 0; k < names.size(); ++k)
     s += std::string(k ? ", \"" : "\"") + names[k] + "\": " + number(f.merger[k]);

@@ -1,20 +1,14 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include "process.hpp"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <csignal>
 #include <ctime>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "child.hpp"
 
 namespace limpet::benchmarks {
 namespace {
@@ -27,26 +21,8 @@ double status_megabytes(const std::string& key) {
   throw std::runtime_error("no " + key + " in /proc/self/status");
 }
 
-/// The output up to its end, or nothing more after the time limit.
-std::string read_all(int from, double limit_seconds, bool& late) {
-  const WallWatch watch;
-  std::string text;
-  for (;;) {
-    const double left = limit_seconds - watch.seconds();
-    pollfd ready{from, POLLIN, 0};
-    if (left <= 0 || ::poll(&ready, 1, static_cast<int>(left * 1000) + 1) == 0) {
-      late = true;
-      return text;
-    }
-    std::array<char, 4096> bytes;
-    const ssize_t count = ::read(from, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return text;
-    text.append(bytes.data(), static_cast<std::size_t>(count));
-  }
-}
+}  // namespace
 
-/// The last line that is one of ours: libraries may print others.
 Json last_told(const std::string& text) {
   Json told;
   std::istringstream lines(text);
@@ -57,36 +33,13 @@ Json last_told(const std::string& text) {
   return told;
 }
 
-}  // namespace
-
 Json ask_process(const Json& request, double limit_seconds) {
-  std::array<int, 2> pipe_ends{};
-  if (::pipe(pipe_ends.data()) != 0) throw std::runtime_error("no pipe");
-  const std::string text = request.dump();
-  const pid_t child = ::fork();
-  if (child < 0) throw std::runtime_error("no process");
-  if (child == 0) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // whoever stops the report stops what it waits for
-    ::dup2(pipe_ends[1], STDOUT_FILENO);
-    ::close(pipe_ends[0]);
-    ::close(pipe_ends[1]);
-    ::execl("/proc/self/exe", "limpet_bench", "answer", text.c_str(), nullptr);
-    ::_exit(127);
-  }
-  ::close(pipe_ends[1]);
-  bool late = false;
-  const std::string answer = read_all(pipe_ends[0], limit_seconds, late);
-  ::close(pipe_ends[0]);
-  if (late) ::kill(child, SIGKILL);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  Json told = last_told(answer);
+  const ChildEnd end = run_program({"/proc/self/exe", "answer", request.dump()}, {.seconds = limit_seconds});
+  Json told = last_told(end.output);
   const auto failed = [&told](const std::string& why) -> Json { return {{"failed", why}, {"so_far", told}}; };
-  if (late) return failed("more than " + std::to_string(static_cast<int>(limit_seconds)) + " s");
-  if (WIFSIGNALED(status)) return failed("signal " + std::to_string(WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0 || told.is_null())
-    return failed("status " + std::to_string(WEXITSTATUS(status)));
+  if (end.hang) return failed("more than " + std::to_string(static_cast<int>(limit_seconds)) + " s");
+  if (end.signal != 0) return failed("signal " + std::to_string(end.signal));
+  if (end.exit_code != 0 || told.is_null()) return failed("status " + std::to_string(end.exit_code));
   return told;
 }
 

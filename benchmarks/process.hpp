@@ -14,11 +14,11 @@ using Json = nlohmann::json;
 /// Does what is asked in a process of its own. The answer holds "failed" with a reason instead when the
 /// process exceeds the time limit, which ends it, or fails otherwise; then what it told last is "so_far".
 Json ask_process(const Json& request, double limit_seconds);
-/// In the process that was asked: what is known so far, should it not come to an answer.
-void tell_so_far(const Json&);
-
 /// In the process that was asked: what is known before the answer, should there be none.
 void tell_so_far(const Json&);
+
+/// The last line that is a JSON object of our own: libraries may print others. Null if there is none.
+Json last_told(const std::string& text);
 
 /// Peak and present resident memory of this process, MB (10⁶ bytes).
 double peak_megabytes();

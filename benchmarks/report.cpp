@@ -1,64 +1,15 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include "report.hpp"
 
-#include <ctime>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 #include <map>
-#include <stdexcept>
-#include <thread>
+
+#include "report_page.hpp"
 
 namespace limpet::benchmarks {
 namespace {
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
-
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::string text(32, '\0');
-  text.resize(std::strftime(text.data(), text.size(), "%Y-%m-%d", std::gmtime(&now)));
-  return text;
-}
-
-/// Parts are kept in files of their own, so that one can be measured anew; report.md is all of them.
-class Report {
- public:
-  explicit Report(const ReportOptions& options) : folder_(options.folder) {
-    std::filesystem::create_directories(folder_);
-    where_ = "*Commit " + options.commit + ", " + today() + ", " + processor() + ", " +
-             std::to_string(std::thread::hardware_concurrency()) + " cores, g++ " __VERSION__ + ".*";
-  }
-
-  void add(const std::string& title, const std::string& said, const Table& table, const std::string& name,
-           bool has_picture = false) {
-    table.write_csv(folder_ + "/" + name + ".csv");
-    write(name + ".md", "## " + title + "\n\n" + said + " " + where_ + "\n\n" + table.markdown() +
-                            (has_picture ? "\n![" + title + "](" + name + ".png)\n" : ""));
-    std::string all = "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n";
-    for (const char* part :
-         {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency", "polyhedra", "redundancy"}) {
-      std::ifstream file(folder_ + "/" + part + ".md");
-      if (file) all += "\n" + std::string(std::istreambuf_iterator<char>(file), {});
-    }
-    write("report.md", all);
-  }
-
- private:
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream file(folder_ + "/" + name);
-    if (!(file << text).flush()) throw std::runtime_error("cannot write " + folder_ + "/" + name);
-  }
-
-  std::string folder_, where_;
-};
-
-void add_throughput(const ReportOptions& options, const Limits& limits, Report& report) {
+void add_throughput(const ReportOptions& options, const Limits& limits, ReportPage& report) {
   // At 10⁵ points a smaller city, and no room, so that λ stays well below what is to be seen.
   struct Entry {
     const char* shape;
@@ -86,7 +37,7 @@ void add_throughput(const ReportOptions& options, const Limits& limits, Report& 
     }
 }
 
-void add_streams(const ReportOptions& options, const Limits& limits, Report& report) {
+void add_streams(const ReportOptions& options, const Limits& limits, ReportPage& report) {
   const std::int64_t points = options.full ? 100'000'000 : 10'000'000;
   report.add(
       "Against the length of the stream",
@@ -95,7 +46,7 @@ void add_streams(const ReportOptions& options, const Limits& limits, Report& rep
       "streams", true);
 }
 
-void add_sizes(const ReportOptions& options, const Limits& limits, Report& report) {
+void add_sizes(const ReportOptions& options, const Limits& limits, ReportPage& report) {
   SizeOptions sizes;
   sizes.throughput.contestants = {"limpet", "region_growing"};
   sizes.throughput.runs = options.full ? 3 : 1;
@@ -109,7 +60,7 @@ void add_sizes(const ReportOptions& options, const Limits& limits, Report& repor
                tables.stages, "sizes_stages");
 }
 
-void add_latency(const ReportOptions& options, const Limits& limits, Report& report) {
+void add_latency(const ReportOptions& options, const Limits& limits, ReportPage& report) {
   LatencyOptions latency;
   if (options.full) latency.boxes = 1000;
   report.add("Latency of a set of 26 readings",
@@ -117,7 +68,7 @@ void add_latency(const ReportOptions& options, const Limits& limits, Report& rep
              measure_latency(latency, limits), "latency");
 }
 
-void add_polyhedra(const ReportOptions& options, const Limits& limits, Report& report) {
+void add_polyhedra(const ReportOptions& options, const Limits& limits, ReportPage& report) {
   PolyhedraOptions polyhedra;
   if (!options.full) polyhedra.shapes = {"cube", "L", "step_hole", "city:3"}, polyhedra.points = {20'000};
   Table table = polyhedra_table();
@@ -127,7 +78,7 @@ void add_polyhedra(const ReportOptions& options, const Limits& limits, Report& r
              "polyhedra");
 }
 
-void add_redundancy(const ReportOptions& options, const Limits&, Report& report) {
+void add_redundancy(const ReportOptions& options, const Limits&, ReportPage& report) {
   RedundancyOptions redundancy;
   if (!options.full) redundancy.seeds = 2;
   report.add("Redundant segments",
@@ -140,7 +91,9 @@ void add_redundancy(const ReportOptions& options, const Limits&, Report& report)
 
 void write_report(const ReportOptions& options, Limits limits) {
   if (options.full) limits.peer_seconds = std::max(limits.peer_seconds, 1800.0);
-  Report report(options);
+  ReportPage report(
+      options.folder, options.commit, "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n",
+      {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency", "polyhedra", "redundancy"});
   const std::map<std::string, decltype(&add_latency)> parts{
       {"latency", add_latency},     {"streams", add_streams},       {"sizes", add_sizes},
       {"polyhedra", add_polyhedra}, {"redundancy", add_redundancy}, {"throughput", add_throughput}};

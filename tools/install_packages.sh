@@ -12,7 +12,7 @@ packages=(
 for group in "$@"; do
   case $group in
     lint) packages+=(clang-tidy) ;;
-    bench) packages+=(gnuplot-nox libglpk-dev) ;;
+    bench) packages+=(gnuplot-nox libglpk-dev valgrind) ;;
     fuzz) packages+=(clang libclang-rt-14-dev llvm) ;;
     *) echo "usage: $0 [lint] [bench] [fuzz]" >&2; exit 2 ;;
   esac
