@@ -54,6 +54,8 @@ std::string digest(const std::string& bytes) {
 
 class SameBytes : public testing::ProgramTest, public ::testing::WithParamInterface<Entry> {
  protected:
+  using Surroundings = testing::Surroundings;
+
   std::string made(const Entry& entry, const Surroundings& around) {
     std::vector<std::string> arguments{"scan"};
     arguments.insert(arguments.end(), entry.scan.begin(), entry.scan.end());
@@ -66,7 +68,6 @@ class SameBytes : public testing::ProgramTest, public ::testing::WithParamInterf
     EXPECT_EQ(modelled.code, 0) << modelled.err;
     return digest(read(path("s.ply"))) + " " + digest(read(path("m.limpet")));
   }
-  using Surroundings = testing::Surroundings;
 };
 
 TEST_P(SameBytes, OnAnyBuild) {
