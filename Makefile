@@ -4,7 +4,8 @@ PRESET ?= release
 PREFIX ?= /usr/local
 SOURCES = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: demo test build bench bench-predicates bench-compare benchmarks format format-check lint install clean packages configure
+.PHONY: demo test build bench bench-predicates bench-compare benchmarks \
+  format format-check lint install clean packages configure
 
 demo: configure
 	cmake --build build/$(PRESET) -j $(JOBS) --target limpet
