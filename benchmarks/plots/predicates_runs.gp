@@ -10,7 +10,7 @@ set title 'Whole runs: processor time, exact over float'
 set bmargin 6
 set key outside bottom center horizontal Left reverse
 set offsets 0.5, 0.5, 0, 0
-set yrange [0.7:*]
+set yrange [0.7:3]
 set logscale y
 set ytics (0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.15, 1.3, 1.5, 1.75, 2, 2.5, 3)
 of(build) = strcol('build') eq build ? column('time_ratio') : NaN
