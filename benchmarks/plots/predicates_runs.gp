@@ -9,8 +9,10 @@ set output folder.'/runs.png'
 set title 'Whole runs: processor time, exact over float'
 set bmargin 6
 set key outside bottom center horizontal Left reverse
-set offsets 0.5, 0.5, 0.02, 0.02
-set ytics 0.05
+set offsets 0.5, 0.5, 0, 0
+set yrange [0.7:3]
+set logscale y
+set ytics (0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.15, 1.3, 1.5, 1.75, 2, 2.5, 3)
 of(build) = strcol('build') eq build ? column('time_ratio') : NaN
 set arrow 1 from graph 0, first 1.15 to graph 1, first 1.15 nohead dt 2 lc rgb grey
 set arrow 2 from graph 0, first 1 to graph 1, first 1 nohead lc rgb grey

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 
 #include <limpet/io/scan_writer.hpp>
@@ -54,14 +55,27 @@ std::vector<io::ScanRecord> read_scan(const std::string& path) {
   return records;
 }
 
+/// Where the sensor of a PCD file stood. From there the noise of its readings is estimated, so it goes along.
+std::optional<Eigen::Vector3d> viewpoint_of(const std::string& path) {
+  if (!path.ends_with(".pcd")) return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  for (std::string line; std::getline(file, line) && !line.starts_with("DATA");) {
+    Eigen::Vector3d at;
+    if (line.starts_with("VIEWPOINT") &&
+        std::sscanf(line.c_str(), "VIEWPOINT %lf %lf %lf", &at.x(), &at.y(), &at.z()) == 3)
+      return at;
+  }
+  return std::nullopt;
+}
+
 double extent_of(const std::vector<io::ScanRecord>& records) {
   Eigen::AlignedBox3d box;
   for (const auto& r : records) box.extend(r.point.position);
   return box.sizes().maxCoeff();
 }
 
-void write_scan(std::vector<io::ScanRecord> records, const Eigen::Isometry3d& move, const std::string& path) {
-  const bool axes = !records.empty() && records.front().has_axis;
+void write_scan(std::vector<io::ScanRecord> records, bool axes, const Eigen::Isometry3d& move,
+                const std::string& path) {
   const auto writer = io::create_scan(path, {.ascii = false, .axes = axes, .labels = false, .comment = ""});
   for (auto& r : records) {
     r.point.position = move * r.point.position;
@@ -99,9 +113,8 @@ void add_simulated(const Shape& shape, const std::string& order, double noise_ra
                  .path = stem + std::to_string(scans.size()) + ".ply",
                  .truth = stem + std::to_string(scans.size()) + ".off",
                  .resolution = lambda,
-                 .noise = noise,
-                 .counted = false};
-    write_scan(records, move, scan.path);
+                 .noise = noise};
+    write_scan(records, true, move, scan.path);
     write_mesh(mesh, move, scan.truth);
     scans.push_back(scan);
   }
@@ -112,6 +125,7 @@ void add_simulated(const Shape& shape, const std::string& order, double noise_ra
 std::vector<std::string> RunScan::arguments() const {
   std::vector<std::string> words{path};
   if (resolution > 0) words.insert(words.end(), {"--resolution", shown(resolution), "--noise", shown(noise)});
+  if (!viewpoint.empty()) words.push_back("--viewpoint=" + viewpoint);
   return words;
 }
 
@@ -142,16 +156,19 @@ std::vector<RunScan> real_scans(const PredicatesOptions& options) {
       continue;
     }
     const auto records = read_scan(path);
+    const auto viewpoint = viewpoint_of(path);
+    const bool axes = !viewpoint && !records.empty() && records.front().has_axis;
     for (const char* regime : kRegimes) {
+      const auto move = move_of(regime, extent_of(records));
       RunScan scan{.name = std::filesystem::path(name).stem(),
                    .source = "real",
                    .regime = regime,
-                   .path = options.scratch + "/real" + std::to_string(scans.size()) + ".ply",
-                   .truth = "",
-                   .resolution = 0,
-                   .noise = 0,
-                   .counted = false};
-      write_scan(records, move_of(regime, extent_of(records)), scan.path);
+                   .path = options.scratch + "/real" + std::to_string(scans.size()) + ".ply"};
+      if (viewpoint) {
+        const Eigen::Vector3d at = move * *viewpoint;
+        scan.viewpoint = shown(at.x()) + "," + shown(at.y()) + "," + shown(at.z());
+      }
+      write_scan(records, axes, move, scan.path);
       scans.push_back(scan);
     }
   }

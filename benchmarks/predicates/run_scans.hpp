@@ -15,8 +15,9 @@ struct RunScan {
   std::string source;                ///< simulated or real
   std::string regime;                ///< grid (as it is), free (turned), far (moved away)
   std::string path;                  ///< of the scan
-  std::string truth;                 ///< a mesh; empty: none is known
+  std::string truth{};               ///< a mesh; empty: none is known
   double resolution = 0, noise = 0;  ///< scan's unit; 0: chosen from the scan
+  std::string viewpoint{};           ///< "x,y,z"; empty: the scan has axes, or none is known
   bool counted = false;              ///< small: its instructions are to be counted by simulation too
 
   std::vector<std::string> arguments() const;

@@ -55,6 +55,8 @@ struct Tally {
   int no_answer = 0, exceptions = 0, hangs = 0, crashes = 0, invalid = 0, wrong_area = 0, other_law = 0;
   double worst = 0;  ///< largest error of an area beyond what is allowed, as a part of the true area
   std::vector<double> us, ratios;
+
+  int wrong() const { return no_answer + exceptions + hangs + crashes + invalid + wrong_area + other_law; }
 };
 
 bool answered(const Json& told) {
@@ -102,9 +104,9 @@ void add_rows(const Setting& setting, const PredicatesOptions& options, Table& t
   for (std::size_t c = 0; c < kContestants.size(); ++c) {
     Tally t;
     for (std::size_t i = 0; i < pairs.list.size(); ++i) {
-      const int wrong_before = t.wrong_area + t.invalid + t.other_law;
+      const int wrong_before = t.wrong();
       tally(told[c][i], pairs.list[i], pairs.truth[i], c >= kBuilds.size(), t);
-      if (c == 0 && t.wrong_area + t.invalid + t.other_law > wrong_before)
+      if (c == 0 && t.wrong() > wrong_before)
         keep(options.folder + "/found", setting.position() + "_" + setting.regime + "_" + std::to_string(i),
              pairs.list[i]);
       if (!answered(told[c][i]) || told[c][i].contains("ended")) continue;
