@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include <limpet/geometry/fissure.hpp>
 #include <limpet/geometry/judge.hpp>
@@ -71,6 +72,69 @@ std::vector<SourceEdge> edges_of(const Polygon& b, std::size_t attempt, double g
 }
 
 bool near(Point2 p, Point2 q) { return squared_length(p - q) < 4; }
+
+/// Where the union is a point wide, or less than a step, two passes of its outlines have one rounded vertex:
+/// b touches a, or crosses a part of a that is thinner than a step. There the union is made a few steps wide:
+/// each of the two moves along its edge of b, away from the other.
+class Widening {
+ public:
+  explicit Widening(std::vector<Outline>& outlines) : outlines_(outlines) {
+    for (std::size_t k = 0; k < outlines.size(); ++k)
+      for (std::size_t i = 0; i < outlines[k].pieces.size(); ++i)
+        places_.push_back({outlines[k].pieces[i].at, k, i});
+    std::sort(places_.begin(), places_.end(), [](const Place& p, const Place& q) {
+      return std::tuple(p.at.x, p.at.y, p.outline, p.piece) < std::tuple(q.at.x, q.at.y, q.outline, q.piece);
+    });
+  }
+
+  void widen() {
+    std::vector<std::pair<OutlinePiece*, Point2>> moves;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      bool meets = false;
+      for (std::size_t j = i; j-- > 0 && places_[j].at.x > places_[i].at.x - 2 && !meets;)
+        meets = meet(places_[i], places_[j]);
+      for (std::size_t j = i + 1; j < places_.size() && places_[j].at.x < places_[i].at.x + 2 && !meets; ++j)
+        meets = meet(places_[i], places_[j]);
+      if (!meets) continue;
+      if (const auto to = moved(places_[i])) moves.emplace_back(&piece(places_[i], 0), *to);
+    }
+    for (const auto& [piece, to] : moves) piece->at = to;
+  }
+
+ private:
+  struct Place {
+    Point2 at;
+    std::size_t outline, piece;
+  };
+
+  OutlinePiece& piece(const Place& p, std::ptrdiff_t ahead) const {
+    auto& pieces = outlines_[p.outline].pieces;
+    const auto n = static_cast<std::ptrdiff_t>(pieces.size());
+    return pieces[static_cast<std::size_t>((static_cast<std::ptrdiff_t>(p.piece) + ahead + n) % n)];
+  }
+
+  /// Neighbours along an outline may be near each other.
+  bool meet(const Place& p, const Place& q) const {
+    if (!near(p.at, q.at)) return false;
+    return &piece(p, 1) != &piece(q, 0) && &piece(q, 1) != &piece(p, 0);
+  }
+
+  std::optional<Point2> moved(const Place& p) const {
+    constexpr double kWidth = 3;  // steps
+    const bool open = outlines_[p.outline].end != kNoSlot;
+    const bool first = p.piece == 0, last = p.piece + 1 == outlines_[p.outline].pieces.size();
+    if (piece(p, 0).vertex != kNoSlot || (open && (first || last))) return std::nullopt;
+    const bool in_b = piece(p, -1).edge_b != kNoSlot, out_b = piece(p, 0).edge_b != kNoSlot;
+    if (in_b == out_b) return std::nullopt;
+    const Point2 way = piece(p, in_b ? -1 : 1).at - p.at;
+    const double length = std::sqrt(squared_length(way));
+    if (length < 4 * kWidth) return std::nullopt;
+    return round_to_grid(p.at + (kWidth / length) * way);
+  }
+
+  std::vector<Outline>& outlines_;
+  std::vector<Place> places_;
+};
 
 /// Candidate boundary from an outline: kept edges of a stay; what lies between them becomes chains, an
 /// outline without any a loop.
@@ -232,6 +296,7 @@ bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds& ids, std::size_t* 
     }
     std::vector<Outline> outlines;
     if (!internal::union_outlines(edges_a, edges_b, window, sides, outlines)) continue;
+    Widening(outlines).widen();
     Candidate candidate(a, b, gap, attempt > 0);
     for (const Outline& o : outlines) candidate.add(o);
     const auto edit = candidate.finish(edges_a);

@@ -12,10 +12,11 @@ namespace limpet::geometry {
 /// when they collapse at `gap` (λ, grid steps), else kept; what is left of a hole that reaches beyond b's
 /// window is left to fill_fissures().
 ///
-/// The candidate's vertices are rounded and then judged. Where rounding or a touching vertex broke it, b's
-/// vertices are moved by a few grid steps (up to λ/128, far below what a perimeter is known to) and the
-/// outline is taken again, a bounded number of times (`attempts` tells how often it was taken). False, and
-/// `a` as it was, when no candidate is valid.
+/// Where the union is thinner than a step (b touches a, or crosses a part of a that thin), it is made a few
+/// steps wide. The candidate's vertices are rounded and then judged. Where rounding or a touching vertex
+/// broke it, b's vertices are moved by a few grid steps (up to λ/128, far below what a perimeter is known to)
+/// and the outline is taken again, a bounded number of times (`attempts` tells how often it was taken).
+/// False, and `a` as it was, when no candidate is valid.
 ///  (1) When true, `a` is valid; when false, it is as it was;
 ///  (2) the union holds both but for rounding: 3 steps at the first attempt, and the moves of b's vertices
 ///  more at

@@ -141,7 +141,27 @@ TEST(Unite, ACrossingBesideTheEndOfItsChainStays) {
                         {390078, 30006},
                         {405081, 30006}})},
              {cycle_of({{600119, -150030}, {795158, -150030}, {795158, 45009}, {600119, 45009}})}, 3);
-  EXPECT_LT(area(u.result), 195040.0 * 195040 + 0.01 * 195040 * 195040);
+  // The two overlap by a corner one step wide, which is made a few steps wide.
+  const double both = 195039.0 * 195039 + 675270027;
+  EXPECT_NEAR(area(u.result), both, 3 * perimeter(u.result));
+}
+
+TEST(Unite, AWebThinnerThanAStepIsMadeWiderWhereTheOtherCrossesIt) {
+  // Two squares joined by a web 0.6 steps wide; the other ends in the middle of the web.
+  const Union u = united({cycle_of({{0, 0},
+                                    {3000, 0},
+                                    {3000, 1499},
+                                    {7000, 1501},
+                                    {7000, 0},
+                                    {10000, 0},
+                                    {10000, 3000},
+                                    {7000, 3000},
+                                    {7000, 1502},
+                                    {3000, 1500},
+                                    {3000, 3000},
+                                    {0, 3000}})},
+                         {rectangle(-10, -10, 5000, 3010)}, 100);
+  EXPECT_NEAR(area(u.result), 5010.0 * 3020 + 3000.0 * 3000 + 2000, 3 * 2000);
 }
 
 TEST(Unite, APlugLeavesAHole) {
