@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include "stream_case.hpp"
 
+#include <time.h>
+
 #include <algorithm>
 #include <exception>
 #include <sstream>
@@ -63,33 +65,35 @@ StreamCase lattice_stream(Choices& choose) {
   return c;
 }
 
-std::string why_unsound(const Model& model, std::int64_t given) {
-  const ModelRecord record = model.record();
+std::string why_unsound(const ModelRecord& record, std::int64_t given) {
   if (record.points + record.refused != given)
     return "points and refused records are not all that were given";
   if (points_in_segments(record) + record.expired != record.points) return "points have gone lost";
   return "";
 }
 
-/// Judges after one call.
+std::uint64_t processor_time_ns() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<std::uint64_t>(now.tv_sec) * 1'000'000'000u + static_cast<std::uint64_t>(now.tv_nsec);
+}
+
+/// A model that is judged after every call.
 class StreamTrial {
  public:
-  explicit StreamTrial(const Parameters& p) : model_(p) {}
-  Model& model() { return model_; }
+  StreamTrial(const Parameters& p, StreamFigures& figures) : model_(p), figures_(figures) {}
 
-  std::optional<BrokenLaw> judge(const std::vector<Change>& changes, std::int64_t given,
-                                 const std::string& when) {
-    const ModelRecord record = model_.record();
-    if (const auto broken = broken_laws(record); !broken.empty())
-      return BrokenLaw{"audit", when + ": " + broken};
-    if (const auto lost = why_unsound(model_, given); !lost.empty())
-      return BrokenLaw{"readings", when + ": " + lost};
-    if (const auto untold = ledger_.read(changes, record); !untold.empty())
-      return BrokenLaw{"changes", when + ": " + untold};
-    return std::nullopt;
+  std::optional<BrokenLaw> update(std::span<const SensorPoint> set, const std::string& when) {
+    given_ += static_cast<std::int64_t>(set.size());
+    return judged(
+        when, [&]() -> auto& { return model_.update(set); });
+  }
+  std::optional<BrokenLaw> finish() {
+    return judged(
+        "finished", [&]() -> auto& { return model_.finish(); });
   }
 
-  /// What is written is read back to the same, and a model that goes on from it is the same too.
+  /// What is written is read back to the same, and a model made of it is the same too.
   std::optional<BrokenLaw> judge_record() const {
     const std::string text = bytes(model_.record());
     std::istringstream stream(text);
@@ -99,22 +103,46 @@ class StreamTrial {
     return std::nullopt;
   }
 
+  /// Goes on with a model made of the state.
+  std::optional<BrokenLaw> restore() {
+    const std::string state = model_.state();
+    model_ = Model::from_state(state);
+    if (model_.state() != state) return BrokenLaw{"state", "a model made of the state has another"};
+    return std::nullopt;
+  }
+
  private:
+  template <class Call>
+  std::optional<BrokenLaw> judged(const std::string& when, Call&& call) {
+    const std::uint64_t begin = processor_time_ns();
+    const std::vector<Change>& changes = call();
+    figures_.longest_ns = std::max(figures_.longest_ns, processor_time_ns() - begin);
+    ++figures_.sets;
+    const ModelRecord record = model_.record();
+    if (const auto broken = broken_laws(record); !broken.empty())
+      return BrokenLaw{"audit", when + ": " + broken};
+    if (const auto lost = why_unsound(record, given_); !lost.empty())
+      return BrokenLaw{"readings", when + ": " + lost};
+    if (const auto untold = ledger_.read(changes, record); !untold.empty())
+      return BrokenLaw{"changes", when + ": " + untold};
+    return std::nullopt;
+  }
+
   Model model_;
   Ledger ledger_;
+  StreamFigures& figures_;
+  std::int64_t given_ = 0;
 };
 
-std::optional<BrokenLaw> run(const StreamCase& c) {
-  StreamTrial trial(c.parameters);
-  std::int64_t given = 0;
+std::optional<BrokenLaw> run(const StreamCase& c, StreamFigures& figures) {
+  StreamTrial trial(c.parameters, figures);
   for (std::size_t i = 0; i < c.sets.size(); ++i) {
-    const auto& changes = trial.model().update(c.sets[i]);
-    given += static_cast<std::int64_t>(c.sets[i].size());
-    if (auto broken = trial.judge(changes, given, "set " + std::to_string(i + 1))) return broken;
-    if (i == c.sets.size() / 2)
-      if (auto broken = trial.judge_record()) return broken;
+    if (auto broken = trial.update(c.sets[i], "set " + std::to_string(i + 1))) return broken;
+    if (i != c.sets.size() / 2) continue;
+    if (auto broken = trial.judge_record()) return broken;
+    if (auto broken = trial.restore()) return broken;
   }
-  if (auto broken = trial.judge(trial.model().finish(), given, "finished")) return broken;
+  if (auto broken = trial.finish()) return broken;
   return trial.judge_record();
 }
 
@@ -127,9 +155,10 @@ StreamCase stream_of(std::span<const std::uint8_t> bytes) {
   return {stream.parameters, stream.sets, {}};
 }
 
-std::optional<BrokenLaw> broken_law(const StreamCase& c) {
+std::optional<BrokenLaw> broken_law(const StreamCase& c, StreamFigures* figures) {
+  StreamFigures own;
   try {
-    return run(c);
+    return run(c, figures ? *figures : own);
   } catch (const std::exception& error) {
     return BrokenLaw{"exception", error.what()};
   }

@@ -23,8 +23,14 @@ struct StreamCase {
   std::string law;  ///< that it once broke
 };
 
-/// Runs the stream and finishes the model; the first broken law.
-std::optional<BrokenLaw> broken_law(const StreamCase&);
+/// What a run of a stream counts.
+struct StreamFigures {
+  std::uint64_t sets = 0;        ///< judged, finishing among them
+  std::uint64_t longest_ns = 0;  ///< of processor time, that one of them took
+};
+
+/// Runs the stream and finishes the model; the first broken law. Adds to `figures`, if given.
+std::optional<BrokenLaw> broken_law(const StreamCase&, StreamFigures* figures = nullptr);
 
 /// A stream as bytes choose it (see shapes::Random): the degenerate pieces of tests/model/random_streams.hpp,
 /// or, every other time, readings on a small lattice.
