@@ -35,6 +35,14 @@ Point2 round_to_grid(Point2 p) {
 #endif
 }
 
+#if defined(LIMPET_COUNT_STAGES)
+/// Told at the program's end, like the counts of CGAL's own filters.
+void internal::count_orientation(bool uncertain) {
+  CGAL_BRANCH_PROFILER(" failures/calls to   : limpet::geometry::internal::orientation_filter", counter);
+  if (uncertain) CGAL_BRANCH_PROFILER_BRANCH(counter);
+}
+#endif
+
 int internal::orientation_unfiltered(Point2 p, Point2 q, Point2 r) {
   return CGAL::orientation(to_kernel(p), to_kernel(q), to_kernel(r));
 }

@@ -77,10 +77,18 @@ inline int orientation_filter(Point2 p, Point2 q, Point2 r) {
 /// The second stage, for what the first leaves open: the build's kernel.
 int orientation_unfiltered(Point2 p, Point2 q, Point2 r);
 
+#if defined(LIMPET_COUNT_STAGES)  // geometry/ alone, in a build for benchmarks
+void count_orientation(bool uncertain);
+#endif
+
 }  // namespace internal
 
 inline int orientation(Point2 p, Point2 q, Point2 r) {
-  if (const int sign = internal::orientation_filter(p, q, r)) return sign;  // nearly always
+  const int sign = internal::orientation_filter(p, q, r);
+#if defined(LIMPET_COUNT_STAGES)
+  internal::count_orientation(sign == 0);
+#endif
+  if (sign != 0) return sign;  // nearly always
   return internal::orientation_unfiltered(p, q, r);
 }
 

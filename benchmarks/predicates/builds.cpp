@@ -28,6 +28,10 @@ std::string operations_program(std::size_t build) {
   return beside(build == 0 ? name : name + "_" + kBuilds[build]);
 }
 
+std::string counted_model_program() { return beside("../../limpet-counted"); }
+
+std::string counted_operations_program() { return beside("../limpet_perimeter_operations_exact-counted"); }
+
 std::vector<Setting> all_settings() {
   std::vector<Setting> all;
   for (const bool general : {true, false})

@@ -31,6 +31,9 @@ inline constexpr std::array<std::size_t, 2> kFloatBuilds = {1, 2};
 std::string model_program(std::size_t build);
 std::string replay_program(std::size_t build);
 std::string operations_program(std::size_t build);
+/// The exact build that counts what its filters did.
+std::string counted_model_program();
+std::string counted_operations_program();
 
 /// A regime of coordinates, and whether inputs are in general position or degenerate.
 struct Setting {
@@ -62,5 +65,6 @@ void add_operation_costs(const PredicatesOptions&, ReportPage&);
 void add_runs(const PredicatesOptions&, ReportPage&);
 void add_unions(const PredicatesOptions&, ReportPage&);
 void add_corpus(const PredicatesOptions&, ReportPage&);
+void add_filters(const PredicatesOptions&, ReportPage&);
 
 }  // namespace limpet::benchmarks
