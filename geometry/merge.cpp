@@ -39,18 +39,23 @@ bool no_edge_in(const Polygon& polygon, const Box2& box) {
   return !polygon.any_edge_near(box, [](Slot) { return true; });
 }
 
-/// Vertices of a that end needles b comes near: spikes less than eight grid steps wide, which rounding closes
-/// wherever b's perimeter crosses them.
+constexpr double kNeedleWidth = 8;
+
+/// Does the vertex end a needle, a spike less than eight grid steps wide?
+bool ends_needle(const Polygon& a, Slot s) {
+  const Point2 tip = a.at(s), before = a.at(a.prev(s)) - tip, after = a.end(s) - tip;
+  const double longer2 = std::max(squared_length(before), squared_length(after));
+  const double width = cross(before, after);  // times the longer side
+  return dot(before, after) > 0 && width * width < kNeedleWidth * kNeedleWidth * longer2;
+}
+
+/// Vertices of a that end needles b comes near: rounding closes these wherever b's perimeter crosses them.
 std::vector<std::pair<Slot, EdgeId>> needles(const Polygon& a, const Polygon& b) {
-  constexpr double kWidth = 8;
   std::vector<std::pair<Slot, EdgeId>> found;
-  a.any_edge_near(b.box().grown(kWidth), [&](Slot s) {
+  a.any_edge_near(b.box().grown(kNeedleWidth), [&](Slot s) {
     if (a.node(s).shared || a.node(a.prev(s)).shared) return false;
-    const Point2 tip = a.at(s), before = a.at(a.prev(s)) - tip, after = a.end(s) - tip;
-    const double longer2 = std::max(squared_length(before), squared_length(after));
-    const double width = cross(before, after);  // times the longer side
-    const bool needle = dot(before, after) > 0 && width * width < kWidth * kWidth * longer2;
-    if (needle && any_edge_within(b, a.at(a.prev(s)), tip, kWidth)) found.emplace_back(s, a.node(s).edge);
+    if (ends_needle(a, s) && any_edge_within(b, a.at(a.prev(s)), a.at(s), kNeedleWidth))
+      found.emplace_back(s, a.node(s).edge);
     return false;
   });
   std::sort(found.begin(), found.end(), [](const auto& p, const auto& q) { return p.second < q.second; });
@@ -61,7 +66,8 @@ std::vector<std::pair<Slot, EdgeId>> needles(const Polygon& a, const Polygon& b)
 bool take_away(Polygon& a, const std::vector<std::pair<Slot, EdgeId>>& tips, EdgeIds& ids) {
   bool any = false;
   for (const auto& [s, edge] : tips) {
-    if (!a.alive(s) || a.node(s).edge != edge) continue;
+    // Asked again: where the one before it went, a needle is none any more.
+    if (!a.alive(s) || a.node(s).edge != edge || !ends_needle(a, s)) continue;
     Edit edit;
     edit.chains.push_back({a.prev(s), {}, a.next(s)});
     any |= a.change(edit, ids) == Verdict::valid;
