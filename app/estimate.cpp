@@ -4,8 +4,10 @@
 // at the smallest scale at which the neighbourhood looks like a surface: below the noise a scan is a cloud.
 #include <limpet/app/estimate.hpp>
 #include <limpet/app/noise_law.hpp>
+#include <limpet/app/rounded_depths.hpp>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -41,8 +43,10 @@ struct Neighbourhood {
 /// What a neighbourhood says when it is flat.
 struct Patch {
   double area_per_point = 0;
-  double noise = 0;  ///< −1: not known
+  std::optional<double> noise;
   double range = 0;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double thickness = 0;
 };
 
 struct Principal {
@@ -62,26 +66,8 @@ Principal principal(const std::vector<model::SensorPoint>& points) {
   return {solver.eigenvalues().cwiseMax(0), solver.eigenvectors().col(0)};
 }
 
-/// Where depths are rounded (a depth camera's are, to steps that grow with the range) a neighbourhood of few
-/// steps looks flatter than readings are exact, and one of a single step says nothing. −1: not known.
-double noise_of(const Neighbourhood& around, const Eigen::Vector3d& axis, double apparent) {
-  Eigen::Index depth = 0;  // the coordinate that looks along the axis, as in the sensor's own frame
-  const double slant = axis.cwiseAbs().maxCoeff(&depth);
-  std::vector<double> depths;
-  for (const auto& p : around.points) depths.push_back(p.position[depth]);
-  std::sort(depths.begin(), depths.end());
-  double step = std::numeric_limits<double>::infinity();
-  std::size_t distinct = 1;
-  for (std::size_t i = 1; i < depths.size(); ++i) {
-    if (depths[i] == depths[i - 1]) continue;
-    ++distinct;
-    step = std::min(step, depths[i] - depths[i - 1]);
-  }
-  if (3 * distinct > depths.size()) return apparent;
-  return distinct > 1 ? std::max(apparent, step / slant / std::sqrt(12.0)) : -1;
-}
-
-std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis) {
+std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis,
+                              const RoundedDepths& rounded) {
   constexpr std::size_t kFewest = 8;
   if (around.points.size() < kFewest || !(around.radius > 0)) return std::nullopt;
   const bool has_axis = !axis.isZero();
@@ -100,8 +86,12 @@ std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis)
   if (cosine < 0.2) return std::nullopt;
   // The centre is one of the points: of the others there are m - 1 in the disc.
   const double others = static_cast<double>(around.points.size() - 1) * around.weight;
-  return Patch{M_PI * around.radius * around.radius / others,
-               noise_of(around, has_axis ? axis : found.thinnest, thickness / cosine)};
+  Patch patch;
+  patch.area_per_point = M_PI * around.radius * around.radius / others;
+  patch.noise = noise_of(around.points, has_axis ? axis : found.thinnest, thickness / cosine, rounded);
+  patch.normal = found.thinnest;
+  patch.thickness = thickness;
+  return patch;
 }
 
 /// The sample as a tree, for neighbourhoods of any number of points.
@@ -159,16 +149,15 @@ double sparse(const std::vector<double>& ascending) {
 }
 
 /// The finest scale first.
-Patch first_flat(const std::vector<Neighbourhood>& fine, const Coarse& coarse,
-                 const model::SensorPoint& centre) {
-  for (const Neighbourhood& around : fine) {
-    if (auto patch = patch_of(around, centre.axis)) return patch->range = centre.range, *patch;
+Patch first_flat(const Neighbourhood& fine, const Coarse& coarse, const model::SensorPoint& centre,
+                 const RoundedDepths& rounded) {
+  std::optional<Patch> patch = patch_of(fine, centre.axis, rounded);
+  for (int count = kNeighbours; !patch && count <= 64 * kNeighbours; count *= 4) {
+    patch = patch_of(coarse.nearest(centre, count), centre.axis, rounded);
   }
-  for (int count = kNeighbours; count <= 64 * kNeighbours; count *= 4) {
-    if (auto patch = patch_of(coarse.nearest(centre, count), centre.axis))
-      return patch->range = centre.range, *patch;
-  }
-  return {};
+  if (!patch) return {};
+  patch->range = centre.range;
+  return *patch;
 }
 
 std::vector<std::size_t> centres_of(const Sample& sample) {
@@ -177,6 +166,28 @@ std::vector<std::size_t> centres_of(const Sample& sample) {
   const std::size_t stride = std::max<std::size_t>(1, n / kCentres);
   for (std::size_t i = 0; i < n; i += stride) centres.push_back(i);
   return centres;
+}
+
+/// Twice, if the scan shows that its depths were rounded before it was turned.
+std::vector<Patch> look_at(const Sample& sample, const std::vector<std::size_t>& centres,
+                           const std::vector<Neighbourhood>& fine, const Coarse& coarse) {
+  const auto look = [&](const RoundedDepths& rounded) {
+    std::vector<Patch> patches;
+    for (std::size_t i = 0; i < centres.size(); ++i)
+      patches.push_back(first_flat(fine[i], coarse, sample.points()[centres[i]], rounded));
+    return patches;
+  };
+  const std::vector<Patch> patches = look({});
+  Eigen::AlignedBox3d box;
+  for (const auto& p : sample.points()) box.extend(p.position);
+  // Coordinates are written with seven digits or so.
+  const double within = 1e-6 * box.diagonal().norm();
+  std::vector<Eigen::Vector3d> normals;
+  for (const Patch& patch : patches) {
+    if (patch.area_per_point > 0 && patch.thickness < within) normals.push_back(patch.normal);
+  }
+  const auto rounded = rounded_depths(normals, patches.size(), within);
+  return rounded ? look(*rounded) : patches;
 }
 
 Estimate summarise(const Sample& sample, const std::vector<Patch>& patches) {
@@ -188,7 +199,7 @@ Estimate summarise(const Sample& sample, const std::vector<Patch>& patches) {
   for (const Patch& patch : patches) {
     if (!(patch.area_per_point > 0)) continue;
     areas.push_back(patch.area_per_point);
-    if (patch.noise >= 0) noises.push_back({patch.range, patch.noise < 1e-12 * largest ? 0 : patch.noise});
+    if (patch.noise) noises.push_back({patch.range, *patch.noise < 1e-12 * largest ? 0 : *patch.noise});
   }
   for (const auto& p : sample.points()) ranges.push_back(p.range);
   areas = trimmed(std::move(areas));
@@ -216,11 +227,9 @@ double Sample::weight() const {
 }
 
 Estimate estimate(const Sample& sample) {
-  const Coarse coarse(sample);
-  std::vector<Patch> patches;
-  for (const std::size_t i : centres_of(sample))
-    patches.push_back(first_flat({}, coarse, sample.points()[i]));
-  return summarise(sample, patches);
+  const auto centres = centres_of(sample);
+  return summarise(sample,
+                   look_at(sample, centres, std::vector<Neighbourhood>(centres.size()), Coarse(sample)));
 }
 
 Estimate estimate(const std::function<void(const Take&)>& pass) {
@@ -251,11 +260,7 @@ Estimate estimate(const std::function<void(const Take&)>& pass) {
       }
     }
   });
-  std::vector<Patch> patches;
-  for (std::size_t i = 0; i < fine.size(); ++i) {
-    patches.push_back(first_flat({fine[i]}, coarse, sample.points()[centres[i]]));
-  }
-  return summarise(sample, patches);
+  return summarise(sample, look_at(sample, centres, fine, coarse));
 }
 
 double suitable_resolution(const Estimate& estimate, const NoiseArgument& noise) {

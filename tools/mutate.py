@@ -4,7 +4,7 @@
   tools/mutate.py [--build FOLDER] [--only NUMBER...] [--report FILE]
 
 A copy of the working tree is built and tested once for each mutant, in FOLDER (default out/mutants). A mutant that
-no test notices says which condition nobody guards; a mutant whose text is no longer found ends the run.
+no test notices says which condition nobody guards; one whose text is no longer found, or does not build, ends the run.
 """
 import argparse
 import os
@@ -111,8 +111,10 @@ def main():
         file.write_text(text.replace(old, new, 1))
         start = time.time()
         built = run(make, build, SECONDS)
-        failure = first_failure(build) if built is not None and built.returncode == 0 else "does not build"
+        failure = first_failure(build) if built is not None and built.returncode == 0 else None
         file.write_text(text)
+        if built is None or built.returncode != 0:
+            sys.exit(f"mutant {number} does not build")
         caught += failure is not None
         rows.append(f"| {number} | {name} | {what} | {failure or '**nobody**'} |")
         print(rows[-1], f"{time.time() - start:.0f} s", flush=True)

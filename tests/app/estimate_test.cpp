@@ -3,6 +3,7 @@
 // What a scan tells about itself, against what it was made with.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limpet/app/estimate.hpp>
 
@@ -61,6 +62,42 @@ TEST(Estimate, ARowOfPointsIsNoSurface) {
     for (int i = 0; i < 1000; ++i) take({Eigen::Vector3d(0.01 * i, 0, 0), Eigen::Vector3d::UnitZ()});
   });
   EXPECT_EQ(row.area_per_point, 0);
+}
+
+/// An image of a desk before a wall, by a camera that rounds depths to steps that grow with their square;
+/// turned about the camera afterwards, and written with the seven digits of a float.
+std::vector<model::SensorPoint> depth_image(const Eigen::Matrix3d& turn) {
+  constexpr double kStep = 0.002;  // of the inverse of the depth
+  std::vector<model::SensorPoint> points;
+  for (int v = -120; v < 120; ++v) {
+    for (int u = -160; u < 160; ++u) {
+      const Eigen::Vector3d ray(u / 300.0, v / 300.0, 1);
+      const Eigen::Vector3d wall(0.1, 0, 1), desk(0, 1, -0.2);
+      double depth = 4 / wall.dot(ray);
+      if (desk.dot(ray) > 0) depth = std::min(depth, 0.4 / desk.dot(ray));
+      const Eigen::Vector3d at = turn * ray / (kStep * std::round(1 / depth / kStep));
+      points.push_back({at.cast<float>().cast<double>(), at.normalized(), at.norm()});
+    }
+  }
+  return points;
+}
+
+TEST(Estimate, RoundedDepthsAreNoiseHoweverTheScanIsTurned) {
+  const auto noise_at = [](const Eigen::Matrix3d& turn, double range) {
+    const auto points = depth_image(turn);
+    return estimate([&](const Take& take) {
+             for (const auto& p : points) take(p);
+           })
+        .noise.at(range);
+  };
+  const Eigen::Matrix3d as_taken = Eigen::Matrix3d::Identity();
+  const double step_of_wall = 0.002 * 4 * 4;
+  EXPECT_NEAR(noise_at(as_taken, 4) / (step_of_wall / std::sqrt(12.0)), 1, 0.5);
+  for (const double angle : {0.1, 0.7, 2.0}) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
+    for (const double range : {2.0, 4.0})
+      EXPECT_NEAR(noise_at(turn, range) / noise_at(as_taken, range), 1, 0.1) << range << ' ' << angle;
+  }
 }
 
 }  // namespace
