@@ -32,6 +32,8 @@ class Reader {
  public:
   explicit Reader(std::istream& input) : input_(input) { advance(); }
 
+  const std::string& line() const { return line_; }
+
   // The first word of the current record.
   std::string_view keyword() const { return fields_.front(); }
 
@@ -107,9 +109,11 @@ Arithmetic arithmetic_of(const std::string& name, const Reader& reader) {
 }
 
 void read_header(Reader& reader, Document& document) {
+  if (reader.line().starts_with("limpet checkpoint "))
+    reader.fail("this is the checkpoint of a run, not a model");
+  if (reader.line() != "limpet 1") reader.fail("unknown version, or no model at all");
   std::uint64_t version = 0;
   reader.take("limpet", version);
-  if (version != 1) reader.fail("unknown version");
   reader.take("resolution", document.resolution);
   reader.take("angle", document.angle);
   reader.take("noise", document.noise);

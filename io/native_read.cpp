@@ -199,7 +199,9 @@ model::PolygonSegmentRecord read_polygon(Fields& in) {
 
 void read_head(Fields& in, model::ModelRecord& model) {
   in.line("limpet");
-  if (const std::string version = in.word(); version != "1") {
+  if (const std::string version = in.word(); version == "checkpoint") {
+    in.fail("this is the checkpoint of a run, not a model; 'limpet model' goes on from it with --resume");
+  } else if (version != "1") {
     in.fail("version " + in_quotes(version) + " of the format is not known (this program reads version 1)");
   }
   in.done();

@@ -235,6 +235,12 @@ TEST_F(Checkpoints, ThatAreDamagedAreRefused) {
   EXPECT_FALSE(exists("again.limpet"));
 }
 
+TEST_F(Checkpoints, AreNoModels) {
+  left_by_a_killed_run(scan("s.ply", "cube", 20'000));
+  expect_refused(run({"check", path("run.checkpoint")}), "checkpoint of a run");
+  expect_refused(run({"draw", path("run.checkpoint"), "-o", path("m.png")}), "checkpoint of a run");
+}
+
 TEST_F(Checkpoints, AreAskedForInFull) {
   const std::string scan_file = scan("s.ply", "cube", 1'000), model = path("m.limpet");
   expect_refused(run({"model", scan_file, "-o", model, "--resume"}), "--checkpoint");

@@ -49,6 +49,7 @@ TEST(FindFissure, TypeOneJoinsTheEndsOfANotch) {
   EXPECT_FALSE(find_fissure(FissureType::I, v, 40).has_value());  // not below the gap
   EXPECT_FALSE(
       find_fissure(FissureType::I, {{{160, 0}, {180, -500}, {200, 0}, kFar}}, kGap));  // a point, no notch
+  EXPECT_FALSE(find_fissure(FissureType::I, {{{160, 0}, {180, 0}, {200, 0}, kFar}}, kGap));  // straight on
 }
 
 TEST(FindFissure, TypesTwoAndThreePutAFootOnTheLongerSide) {
