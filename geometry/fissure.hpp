@@ -14,9 +14,8 @@ namespace limpet::geometry {
 /// that collapses is dropped. `gap` is λ in grid steps. Returns how many were filled.
 ///  (1) The polygon stays valid, and as it was when none was filled;
 ///  (2) shared edges stay;
-///  (3) area is lost to the rounding of feet only, never more than two steps along the perimeter (the tip of
-///  a
-///      needle less than a step wide may go).
+///  (3) area is lost to the rounding of feet only, never more than two steps along the perimeter
+///      (the tip of a needle less than a step wide may go).
 /// Filling again may fill more, where what went has opened a line of sight.
 std::size_t fill_fissures(Polygon&, std::span<const std::pair<Slot, EdgeId>> fresh, double gap, EdgeIds&,
                           bool bridge = true);

@@ -21,7 +21,8 @@ const char* arithmetic();
 /// The grid point nearest to p (ties up); p itself in the float build.
 ///  (1) No coordinate moves by more than half a step, and exactly half a step only upwards;
 ///  (2) grid points stay where they are;
-///  (3) it commutes with translations by whole steps where these are exact. Not with turns: ties go up.
+///  (3) it commutes with translations by whole steps where these are exact. Not with turns: ties
+///      go up.
 Point2 round_to_grid(Point2 p);
 
 /// +1 when p, q, r turn anticlockwise, -1 clockwise, 0 when collinear.
@@ -30,10 +31,10 @@ Point2 round_to_grid(Point2 p);
 ///  (3) it is 0 when two of them are equal;
 ///  (4) motions keep it, the mirror (x, y) -> (-x, y) flips it;
 ///  (5) when (t,q,r), (p,t,r) and (p,q,t) turn anticlockwise, so do p, q, r;
-///  (6) where p, q, r are left of st: if neither (s,p,q) nor (s,q,r) turns clockwise, then (s,p,r) does not,
-///  and
-///      is collinear only when both are;
-///  (7) where p and q differ: if r and s are collinear with p, q, then p, r, s and q, r, s are collinear.
+///  (6) where p, q, r are left of st: if neither (s,p,q) nor (s,q,r) turns clockwise, then (s,p,r)
+///      does not, and is collinear only when both are;
+///  (7) where p and q differ: if r and s are collinear with p, q, then p, r, s and q, r, s are
+///      collinear.
 inline int orientation(Point2 p, Point2 q, Point2 r);
 
 /// Do the closed segments ab and cd have a point in common?

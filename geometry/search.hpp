@@ -29,9 +29,8 @@ struct PerimeterPoint {
 /// The perimeter point nearest to p, if nearer than `within` (grid steps); ties go to the edge of lower
 /// identity. With `cycle`, on that cycle only.
 ///  (1) No other is nearer, but for rounding;
-///  (2) a quarter turn about the origin keeps it, to the last bit. A translation need not: where two edges
-///  are
-///      equally near but for rounding, it may find the other one;
+///  (2) a quarter turn about the origin keeps it, to the last bit. A translation need not: where
+///      two edges are equally near but for rounding, it may find the other one;
 ///  (3) what is found within a distance is found within any larger one.
 std::optional<PerimeterPoint> nearest_perimeter_point(const Polygon&, Point2 p, double within,
                                                       std::optional<CycleId> cycle = {});
@@ -51,7 +50,8 @@ struct SightEnd {
 /// but in an end that is a vertex (thesis §2.4.2)? Edges in `ignored` do not count.
 ///  (1) Sight is symmetric;
 ///  (2) ignoring an edge loses no sight;
-///  (3) what sights a point (not named as a vertex) sights all grid points between, and they that point;
+///  (3) what sights a point (not named as a vertex) sights all grid points between, and they that
+///      point;
 ///  (4) the ends of an edge do not sight each other; every point sights itself;
 ///  (5) motions (predicates.hpp) keep it.
 bool sights(const Polygon&, SightEnd, SightEnd, std::initializer_list<Slot> ignored = {});

@@ -19,9 +19,9 @@ inline constexpr std::int64_t kMaxSteps = std::int64_t{1} << 48;
 /// Exact sums over sensor points (thesis §2.2): independent of the order in which points came and segments
 /// merged, and without cancellation far from the origin.
 ///  (1) The sums depend on neither the order nor the grouping of what was added;
-///  (2) the covariance does not change, to the last bit, when all points move by whole steps and their mean
-///  stays
-///      on the same side of the origin along each axis (it is rounded towards zero; else the last bits may);
+///  (2) the covariance does not change, to the last bit, when all points move by whole steps and
+///      their mean stays on the same side of the origin along each axis (it is rounded towards zero;
+///      else the last bits may);
 ///  (3) exchanging or mirroring the axes does so with centroid and covariance, to the last bit;
 ///  (4) a step larger by a power of two scales them exactly.
 class Moments {

@@ -41,7 +41,7 @@ MUTANTS = [
      "one polygon inside the other"),
     ("geometry/mend.cpp", "if (area < 0) return false;", "", "mending changes little"),
     ("model/moments.cpp", "- c[j] * sum_[i]", "+ c[j] * sum_[i]", "central moments"),
-    ("model/merge_point_polygon.cpp", "height * height >= lambda2 ||", "", "a point nearer than λ to the plane"),
+    ("model/merge_point_polygon.cpp", "result.near = result.distance2 < lambda2;", "result.near = true;", "a point nearer than λ to the polygon"),
     ("model/merge_point_polygon.cpp", "axis.dot(s.fit.normal) > 0", "axis.dot(s.fit.normal) > 2", "a thin plate has a back"),
     ("model/merge_polygons.cpp", "if (a.fit.normal.dot(b.fit.normal) <= cos_limit) return false;", "",
      "polygons that merge face the same way"),

@@ -40,6 +40,27 @@ TEST(MendLaws, MotionsKeepIt) {
   });
 }
 
+TEST(MendLaws, NoMoreAreaChangesThanItMay) {
+  std::size_t refused = 0, mended = 0;
+  expect_law("mend_cycles (4)", 3000, [&] {
+    Cycles before = (*boundaries()).cycles;
+    for (auto& cycle : before) {
+      for (NewVertex& v : cycle) v.at = 2 * v.at;  // so that only vertices in the same place are close
+    }
+    Cycles cycles = before, freely = before;
+    const auto area = static_cast<double>(whole(0, 100));
+    if (!mend_cycles(cycles, area)) {
+      ++refused;
+      return;
+    }
+    ++mended;
+    RC_ASSERT(std::abs(exact_area(cycles) - exact_area(before)) <= area);
+    RC_ASSERT(mend_cycles(freely, 1e9));
+    RC_ASSERT(outline(freely) == outline(cycles));
+  });
+  EXPECT_TRUE(refused > 0 && mended > 0);
+}
+
 // restore_sides
 
 TEST(RestoreSidesLaws, VerticesMoveByTwoStepsAtMostAndOnlyWhereEdgesConflict) {
