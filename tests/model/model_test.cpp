@@ -56,6 +56,31 @@ TEST(Model, AFragmentJoinsAPolygonManyTimesItsSize) {
   }
 }
 
+/// Two slopes that meet in a ridge along y, each `width` wide and 20 long, inclined by so much; in any order.
+Points shallow_roof(Random& random, double slope_rad, double width, std::size_t count) {
+  Points points;
+  while (points.size() < count) {
+    const double x = width * (2 * random.uniform() - 1), y = 20 * random.uniform();
+    points.push_back({{x, y, -std::tan(slope_rad) * std::abs(x)}, -Vector3d::UnitZ()});
+  }
+  return points;
+}
+
+TEST(Model, PlanesThatDifferByMoreThanTheAngularResolutionStayTwo) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Random random(seed);
+    Parameters parameters = of_resolution(1);
+    parameters.tolerance = 0.9;
+    const double slope_rad = 0.8 * parameters.angle_rad;
+    const ModelRecord record = modelled(parameters, shallow_roof(random, slope_rad, 4, 4000)).record();
+    ASSERT_EQ(record.polygon_segments.size(), 2u) << "seed " << seed;
+    const double between = std::acos(
+        std::min(1.0, normal_of(record.polygon_segments[0]).dot(normal_of(record.polygon_segments[1]))));
+    EXPECT_GT(between, parameters.angle_rad) << "seed " << seed;
+    EXPECT_EQ(broken_laws(record), "");
+  }
+}
+
 /// Six polygons, one for each direction of the axes, each in its plane.
 void expect_cube(const Scan& scan, double angle, double distance) {
   const Model model = modelled(scan.parameters, scan.points);
