@@ -15,7 +15,8 @@ namespace limpet::geometry {
 /// in, are joined alike. `b` becomes part of `a` (its surviving edges keep their identities), or `a` is left
 /// as it was and the result is false.
 ///  (1) When true, `a` is valid; when false, it is as it was;
-///  (2) no area is lost of either but to the rounding of feet, at most two steps along the perimeters.
+///  (2) no area is lost of either but to the rounding of feet, at most two steps along the perimeters;
+///  (3) what is added lies within `gap` of one of them, but for rounding.
 bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds&);
 
 /// Connects the perimeter at `vertex` with another section of the same perimeter within `gap` and in sight

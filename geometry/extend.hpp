@@ -20,7 +20,8 @@ enum class Extension {
 ///  (1) `contained` exactly when q is not outside; unless the result is `extended`, the polygon is as it was;
 ///  (2) when `extended`, it is valid, q is a vertex, and asking again is answered `contained`;
 ///  (3) shared edges stay; area is lost to rounding only, less than a step along the perimeter (the tip of a
-///      needle less than a step wide may go).
+///      needle less than a step wide may go);
+///  (4) new vertices, and what is added, lie within `gap` of q, but for rounding.
 /// Motions need not keep it: ends of the section are rounded, and the nearest edge may be one of two.
 Extension extend_to_point(Polygon&, Point2 q, double gap, EdgeIds&);
 

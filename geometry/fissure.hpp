@@ -15,7 +15,8 @@ namespace limpet::geometry {
 ///  (1) The polygon stays valid, and as it was when none was filled;
 ///  (2) shared edges stay;
 ///  (3) area is lost to the rounding of feet only, never more than two steps along the perimeter
-///      (the tip of a needle less than a step wide may go).
+///      (the tip of a needle less than a step wide may go);
+///  (4) what is added lies within `gap` of what was there, but for rounding.
 /// Filling again may fill more, where what went has opened a line of sight.
 std::size_t fill_fissures(Polygon&, std::span<const std::pair<Slot, EdgeId>> fresh, double gap, EdgeIds&,
                           bool bridge = true);

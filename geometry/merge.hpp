@@ -18,7 +18,8 @@ enum class Merger {
 /// the merger fail).
 ///  (1) `a` is changed only by `united` and `bridged`, and is valid then;
 ///  (2) area is lost to rounding only, to moves (unite.hpp) and with needles less than eight steps wide;
-///  (3) whether the two are `too_far` does not depend on which is which. Whether a candidate is found may.
+///  (3) whether the two are `too_far` does not depend on which is which. Whether a candidate is found may;
+///  (4) what is added lies within `gap` of one of them, but for rounding and moves.
 Merger merge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds&);
 
 }  // namespace limpet::geometry

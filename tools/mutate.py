@@ -93,7 +93,10 @@ def main():
     names = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split("\n")
     for name in filter(None, names):
         (tree / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(ROOT / name, tree / name)
+        shutil.copy(ROOT / name, tree / name)  # newer than what an earlier run built, whatever it left there
+    for number, (name, old, _, _) in enumerate(MUTANTS, 1):
+        if old not in (tree / name).read_text():
+            sys.exit(f"mutant {number}: '{old}' is not in {name} any more")
     subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                     "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG", "-DLIMPET_WERROR=OFF"], check=True, capture_output=True)
     targets = [pathlib.Path(s).name for s in SUITES]
@@ -107,8 +110,6 @@ def main():
             continue
         file = tree / name
         text = file.read_text()
-        if old not in text:
-            sys.exit(f"mutant {number}: '{old}' is not in {name} any more")
         file.write_text(text.replace(old, new, 1))
         start = time.time()
         built = run(make, build, SECONDS)
@@ -119,11 +120,11 @@ def main():
         caught += failure is not None
         rows.append(f"| {number} | {name} | {what} | {failure or '**nobody**'} |")
         print(rows[-1], f"{time.time() - start:.0f} s", flush=True)
-    report = ["| | file | what the condition is for | noticed first by |", "| --- | --- | --- | --- |", *rows, "",
-              f"{caught} of {len(rows)} noticed."]
-    args.report.parent.mkdir(parents=True, exist_ok=True)
-    args.report.write_text("\n".join(report) + "\n")
-    print(report[-1])
+        report = ["| | file | what the condition is for | noticed first by |", "| --- | --- | --- | --- |", *rows, "",
+                  f"{caught} of {len(rows)} noticed."]
+        args.report.parent.mkdir(parents=True, exist_ok=True)
+        args.report.write_text("\n".join(report) + "\n")
+    print(f"{caught} of {len(rows)} noticed.")
 
 
 if __name__ == "__main__":

@@ -20,9 +20,6 @@ using namespace geometry;
 
 namespace {
 
-/// By how many steps operands are moved at most (see unite.hpp), rounding included.
-constexpr double kMoves = 64;
-
 /// Operations are promised for grid points that are not absurdly far away.
 constexpr double kFarthest = 0x1p42;
 
@@ -43,6 +40,11 @@ Polygon valid_polygon(const Cycles& cycles, EdgeIds& ids) {
   return *std::move(polygon);
 }
 
+Point2 any_vertex(const Cycles& cycles, shapes::Random& places) {
+  const auto& c = cycles[places.bits() % cycles.size()];
+  return c[places.bits() % c.size()].at;
+}
+
 }  // namespace
 
 double area_of(const Cycles& cycles) {
@@ -59,14 +61,6 @@ double length_of(const Cycles& cycles) {
     for (std::size_t i = 0; i < c.size(); ++i)
       length += std::sqrt(squared_length(c[(i + 1) % c.size()].at - c[i].at));
   return length;
-}
-
-bool same(const Cycles& a, const Cycles& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& c, const auto& d) {
-    return std::equal(c.begin(), c.end(), d.begin(), d.end(), [](const NewVertex& v, const NewVertex& w) {
-      return v.at == w.at && v.edge == w.edge && v.shared == w.shared;
-    });
-  });
 }
 
 bool audit_accepts(const Cycles& cycles) {
@@ -154,16 +148,23 @@ Outcome PerimeterTrial::apply() {
 std::optional<PerimeterLaw> PerimeterTrial::judge(shapes::Random& places, bool thorough) {
   if (threw_) return PerimeterLaw::exception;
   const Cycles after = polygon_.boundary();
-  if (outcome_ != Outcome::changed && !same(before_, after)) return PerimeterLaw::untouched;
+  if (outcome_ != Outcome::changed && !shapes::same(before_, after)) return PerimeterLaw::untouched;
   if (judge_cycles(after) != Verdict::valid) return PerimeterLaw::simple;
   if (thorough && !audit_accepts(after)) return PerimeterLaw::audit;
   if (!identities_hold(after)) return PerimeterLaw::identity;
-  const double slack = step_tolerance_ * length_of(before_) + (other_ ? kMoves * length_of(step_.other) : 0);
+  const double length = length_of(before_), other_length = other_ ? length_of(step_.other) : 0;
+  const double slack = step_tolerance_ * length + kMoves * other_length;
   if (area_of(after) < area_of(before_) * (1 - area_tolerance_) - slack) return PerimeterLaw::area;
+  // All that is within the gap of a curve: a strip to either side, and a disc.
+  const double may_come = (2 * (length + other_length) + M_PI * reach()) * reach();
+  if (area_of(after) >
+      (area_of(before_) + (other_ ? area_of(step_.other) : 0)) * (1 + area_tolerance_) + may_come)
+    return PerimeterLaw::growth;
   if (!sides_hold(after, places)) return PerimeterLaw::sides;
-  if (thorough && outcome_ == Outcome::changed &&
-      !(contains_all(before_, places) && contains_all(step_.other, places)))
-    return PerimeterLaw::contains;
+  if (thorough && outcome_ == Outcome::changed) {
+    if (!contains_all(before_, places) || !contains_all(step_.other, places)) return PerimeterLaw::contains;
+    if (!adds_only_near(after, places)) return PerimeterLaw::growth;
+  }
   return std::nullopt;
 }
 
@@ -207,16 +208,27 @@ bool PerimeterTrial::contains_all(const Cycles& of, shapes::Random& places) cons
   if (of.empty()) return true;
   EdgeIds ids;
   const auto part = polygon_of(of, ids);
-  const auto any_vertex = [&] {
-    const auto& c = of[places.bits() % of.size()];
-    return c[places.bits() % c.size()].at;
-  };
   const double deep = kMoves + step_tolerance_;
   for (int k = 0; part && k < 8; ++k) {
-    const Point2 a = any_vertex(), b = any_vertex(), c = any_vertex();
+    const Point2 a = any_vertex(of, places), b = any_vertex(of, places), c = any_vertex(of, places);
     const Point2 p = round_to_grid((1.0 / 3) * (a + b + c));
     if (part->locate(p) == Polygon::Side::inside && !any_edge_within(*part, p, p, deep) &&
         polygon_.locate(p) != Polygon::Side::inside)
+      return false;
+  }
+  return true;
+}
+
+bool PerimeterTrial::adds_only_near(const Cycles& after, shapes::Random& places) const {
+  EdgeIds ids;
+  const auto before = polygon_of(before_, ids);
+  const auto reaches = [&](const std::optional<Polygon>& part, Point2 p) {
+    return part && (part->locate(p) != Polygon::Side::outside || any_edge_within(*part, p, p, reach()));
+  };
+  for (int k = 0; k < 8; ++k) {
+    const Point2 a = any_vertex(after, places), b = any_vertex(after, places), c = any_vertex(after, places);
+    const Point2 p = round_to_grid(k % 2 ? 0.5 * (a + b) : (1.0 / 3) * (a + b + c));
+    if (polygon_.locate(p) != Polygon::Side::outside && !reaches(before, p) && !reaches(other_, p))
       return false;
   }
   return true;

@@ -53,16 +53,20 @@ enum class PerimeterLaw {
   identity,   ///< identities are unique; each that is gone was logged, once
   untouched,  ///< an operation that reports no change made none
   area,       ///< no operation loses area
+  growth,     ///< what it adds lies within the gap of what there was
   sides,      ///< locate() agrees with all edges
   contains,   ///< what lay deeper inside before than operands are moved lies inside now
   exception,  ///< nothing is thrown
   kCount
 };
-inline constexpr std::array kPerimeterLaws = {"simple", "audit", "identity", "untouched",
-                                              "area",   "sides", "contains", "exception"};
+inline constexpr std::array kPerimeterLaws = {"simple", "audit", "identity", "untouched", "area",
+                                              "growth", "sides", "contains", "exception"};
 
 /// What became of an operation.
 enum class Outcome { changed, nothing, refused };
+
+/// By how many steps operands are moved at most (see unite.hpp), rounding included.
+inline constexpr double kMoves = 64;
 
 /// A polygon under trial: operations are applied to it and the result is judged.
 class PerimeterTrial {
@@ -87,6 +91,9 @@ class PerimeterTrial {
   bool identities_hold(const Cycles& after);
   bool sides_hold(const Cycles& after, shapes::Random& places) const;
   bool contains_all(const Cycles& of, shapes::Random& places) const;
+  /// How far what is added may lie from what there was.
+  double reach() const { return gap_ + kMoves + step_tolerance_; }
+  bool adds_only_near(const Cycles& after, shapes::Random& places) const;
 
   double gap_, area_tolerance_, step_tolerance_;
   EdgeIds ids_;
@@ -113,8 +120,6 @@ std::vector<PerimeterCase> reductions(const PerimeterCase&);
 
 double area_of(const Cycles&);
 double length_of(const Cycles&);
-/// Points, identities and flags alike.
-bool same(const Cycles&, const Cycles&);
 bool audit_accepts(const Cycles&);
 
 }  // namespace limpet::cases

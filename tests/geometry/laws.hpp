@@ -61,6 +61,29 @@ inline double exact_area(const Cycles& cycles) {
   return static_cast<double>(whole_numbers::twice_area(cycles)) / 2;
 }
 
+/// Does `part` reach to within so many steps of p, or hold it?
+inline bool reaches(const Polygon& part, Point2 p, double steps) {
+  return part.locate(p) != Polygon::Side::outside || distance_to(part, p) <= steps;
+}
+
+/// Is what `after` has more than the polygons it was made of within so many steps of them? Asked about some
+/// points between its vertices.
+inline bool adds_no_more_than(const Polygon& after, const std::vector<const Polygon*>& parts, double steps) {
+  std::vector<Point2> vertices;
+  for (const auto& cycle : after.boundary())
+    for (const NewVertex& v : cycle) vertices.push_back(v.at);
+  const auto any = [&] { return vertices[static_cast<std::size_t>(whole(0, 999)) % vertices.size()]; };
+  for (int k = 0; k < 12; ++k) {
+    const Point2 a = any(), b = any(), c = any();
+    for (const Point2 p : {round_to_grid(0.5 * (a + b)), round_to_grid((1.0 / 3) * (a + b + c))}) {
+      if (after.locate(p) == Polygon::Side::outside) continue;
+      const auto near = [&](const Polygon* part) { return reaches(*part, p, steps); };
+      if (std::none_of(parts.begin(), parts.end(), near)) return false;
+    }
+  }
+  return true;
+}
+
 inline void expect_valid(const Polygon& p) { RC_ASSERT(whole_numbers::is_valid(p.boundary())); }
 
 }  // namespace limpet::geometry

@@ -24,7 +24,7 @@ bool holds(const Polygon& p, const Cycles& cycles, double slack) {
 double farthest_move(double gap) { return std::min(48.0, std::max(3.0, gap / 64 * 1.5 + 1)); }
 
 TEST(UniteLaws, TheUnionIsValidAndHoldsBoth) {
-  expect_law("unite (1) (2) (3)", 2500, [] {
+  expect_law("unite (1) (2) (3) (6)", 2500, [] {
     const Pair pair = *pairs();
     EdgeIds ids;
     Polygon a = make(pair.a.cycles, ids);
@@ -45,6 +45,7 @@ TEST(UniteLaws, TheUnionIsValidAndHoldsBoth) {
     const double slack = (3 + 2 * moved) * (perimeter(before) + perimeter(b));
     RC_ASSERT(exact_area(a.boundary()) >=
               std::max(exact_area(pair.a.cycles), exact_area(pair.b.cycles)) - slack);
+    RC_ASSERT(adds_no_more_than(a, {&before, &b}, gap + 3 + 1.5 * moved));
   });
 }
 
@@ -78,7 +79,7 @@ TEST(UniteLaws, TheOrderShowsInTheAreaByNoMoreThanRounding) {
 // bridge_polygons and bridge_self
 
 TEST(BridgeLaws, WhatIsBridgedIsValidAndLosesNoArea) {
-  expect_law("bridge_polygons (1) (2)", 2500, [] {
+  expect_law("bridge_polygons (1) (2) (3)", 2500, [] {
     Pair pair = *pairs();
     EdgeIds ids;
     Polygon a = make(pair.a.cycles, ids);
@@ -102,6 +103,7 @@ TEST(BridgeLaws, WhatIsBridgedIsValidAndLosesNoArea) {
     expect_valid(a);
     RC_ASSERT(exact_area(a.boundary()) >=
               exact_area(pair.a.cycles) + exact_area(pair.b.cycles) - 2 * (perimeter(before) + perimeter(b)));
+    RC_ASSERT(adds_no_more_than(a, {&before, &b}, gap + 2));
   });
 }
 
@@ -127,7 +129,7 @@ TEST(BridgeLaws, ASelfBridgeMakesAHoleAndKeepsSharedEdges) {
 // merge_polygons
 
 TEST(MergeLaws, OnlyUnionsAndBridgesChangeAnything) {
-  expect_law("merge_polygons (1) (2) (3)", 2500, [] {
+  expect_law("merge_polygons (1) (2) (3) (4)", 2500, [] {
     const Pair pair = *pairs();
     EdgeIds ids;
     Polygon a = make(pair.a.cycles, ids), other = make(pair.b.cycles, ids);
@@ -147,6 +149,7 @@ TEST(MergeLaws, OnlyUnionsAndBridgesChangeAnything) {
     const double slack = (11 + 2 * farthest_move(gap)) * (perimeter(before) + perimeter(b));
     RC_ASSERT(exact_area(a.boundary()) >=
               std::max(exact_area(pair.a.cycles), exact_area(pair.b.cycles)) - slack);
+    RC_ASSERT(adds_no_more_than(a, {&before, &b}, gap + 3 + 1.5 * farthest_move(gap)));
   });
 }
 

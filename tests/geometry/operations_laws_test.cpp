@@ -85,8 +85,22 @@ TEST(RestoreSidesLaws, VerticesMoveByTwoStepsAtMostAndOnlyWhereEdgesConflict) {
 
 // extend_to_point
 
+std::vector<NewVertex> vertices_new_in(const Polygon& after, const Polygon& before) {
+  const auto all = [](const Polygon& p) {
+    std::vector<NewVertex> vertices;
+    for (const auto& cycle : p.boundary()) vertices.insert(vertices.end(), cycle.begin(), cycle.end());
+    return vertices;
+  };
+  std::vector<NewVertex> vertices = all(after);
+  const auto old = all(before);
+  std::erase_if(vertices, [&](const NewVertex& v) {
+    return std::any_of(old.begin(), old.end(), [&](const NewVertex& w) { return w.at == v.at; });
+  });
+  return vertices;
+}
+
 TEST(ExtendLaws, WhatIsNotExtendedIsAsItWasAndWhatIsHoldsThePointAndItsArea) {
-  expect_law("extend_to_point (1) (2) (3)", 3000, [] {
+  expect_law("extend_to_point (1) (2) (3) (4)", 3000, [] {
     EdgeIds ids;
     const Boundary b = *polygons();
     Polygon p = make(b.cycles, ids);
@@ -107,6 +121,11 @@ TEST(ExtendLaws, WhatIsNotExtendedIsAsItWasAndWhatIsHoldsThePointAndItsArea) {
     expect_valid(p);
     RC_ASSERT(whole_numbers::locate(p.boundary(), q) == 0);
     RC_ASSERT(exact_area(p.boundary()) >= exact_area(b.cycles) - perimeter(before));
+    for (const NewVertex& v : vertices_new_in(p, before))
+      RC_ASSERT(squared_length(v.at - q) <= (gap + 1) * (gap + 1));
+    RC_ASSERT(adds_no_more_than(p, {&before}, gap + 2));
+    RC_ASSERT(exact_area(p.boundary()) <=
+              exact_area(b.cycles) + M_PI * (gap + 1) * (gap + 1) + perimeter(before));
     RC_ASSERT(extend_to_point(p, q, gap, ids) == Extension::contained);
   });
 }
@@ -114,7 +133,7 @@ TEST(ExtendLaws, WhatIsNotExtendedIsAsItWasAndWhatIsHoldsThePointAndItsArea) {
 // fill_fissures
 
 TEST(FillLaws, ItKeepsThePolygonValidItsSharedEdgesAndItsArea) {
-  expect_law("fill_fissures (1) (2) (3)", 2500, [] {
+  expect_law("fill_fissures (1) (2) (3) (4)", 2500, [] {
     EdgeIds ids;
     const Boundary b = *polygons();
     Polygon p = make(b.cycles, ids);
@@ -127,6 +146,7 @@ TEST(FillLaws, ItKeepsThePolygonValidItsSharedEdgesAndItsArea) {
     expect_valid(p);
     RC_ASSERT(holds_shared(p, shared));
     RC_ASSERT(exact_area(p.boundary()) >= exact_area(b.cycles) - 2 * perimeter(before));
+    RC_ASSERT(adds_no_more_than(p, {&before}, gap + 2));
     RC_CLASSIFY(filled > 0);
   });
 }

@@ -12,6 +12,15 @@
 /// Degenerate polygons at random, from seeds that stay what they are.
 namespace limpet::shapes {
 
+/// Points, identities and flags alike.
+inline bool same(const Cycles& a, const Cycles& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& c, const auto& d) {
+    return std::equal(c.begin(), c.end(), d.begin(), d.end(), [](const NewVertex& v, const NewVertex& w) {
+      return v.at == w.at && v.edge == w.edge && v.shared == w.shared;
+    });
+  });
+}
+
 /// The same numbers on every machine (the standard's distributions are not). Made of bytes, it takes its
 /// choices from them, as few bytes as will do, until they end: so a fuzzer that changes bytes changes
 /// choices.

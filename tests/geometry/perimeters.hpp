@@ -64,12 +64,7 @@ inline std::vector<std::vector<std::pair<double, double>>> outline(const Cycles&
 inline auto outline(const Polygon& p) { return outline(p.boundary()); }
 
 inline bool same_boundary(const Polygon& a, const Polygon& b) {
-  const Cycles p = a.boundary(), q = b.boundary();
-  return std::equal(p.begin(), p.end(), q.begin(), q.end(), [](const auto& c, const auto& d) {
-    return std::equal(c.begin(), c.end(), d.begin(), d.end(), [](const NewVertex& v, const NewVertex& w) {
-      return v.at == w.at && v.edge == w.edge && v.shared == w.shared;
-    });
-  });
+  return shapes::same(a.boundary(), b.boundary());
 }
 
 /// As text that can be put into a test.
