@@ -49,11 +49,20 @@ void require_lists(const Engine& e) {
 /// Sums that can be added to, and divided, without overflow.
 void require_moments(const Moments& moments) {
   const MomentsRecord m = moments.record();
-  require(m.count >= 0 && m.count <= std::int64_t{1} << 30, "has a segment of too many points");
-  const Int128 most = Int128{m.count} * kMaxSteps;
-  for (const Int128 sum : m.sum) require(-most <= sum && sum <= most, "has sums that no points have");
-  for (const Int128 product : m.product)
-    require(-most * kMaxSteps <= product && product <= most * kMaxSteps, "has sums that no points have");
+  const auto sized = [](Int128 x) { return x < 0 ? -x : x; };
+  const Int128 largest = Int128{1} << 124, squared_steps = Int128{kMaxSteps} * kMaxSteps;
+  require(m.count >= 0, "has a segment of fewer than no points");
+  for (const Int128 sum : m.sum) {
+    require(sized(sum) <= Int128{m.count} * kMaxSteps, "has sums that no points have");
+    // What the mean is multiplied by.
+    const auto x = static_cast<long double>(sum);
+    require(m.count == 0 || x * x / static_cast<long double>(m.count) <= static_cast<long double>(largest),
+            "has a segment of too many points");
+  }
+  for (const Int128 product : m.product) {
+    require(sized(product) / squared_steps <= m.count, "has sums that no points have");
+    require(sized(product) <= largest, "has a segment of too many points");
+  }
 }
 
 void require_raw_point(const Engine& e, const RawPoint& raw) {

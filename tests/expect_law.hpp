@@ -10,9 +10,10 @@
 
 namespace limpet::properties {
 
-/// Fails with the smallest case found that breaks the law, and its seed.
+/// Fails with the smallest case found that breaks the law, and its seed; or when too few cases were
+/// classified.
 template <class Property>
-void expect_law(const std::string& law, int cases, Property&& property) {
+void expect_law(const std::string& law, Cases cases, Property&& property) {
   const std::string broken = check(law, cases, std::forward<Property>(property));
   if (!broken.empty()) ADD_FAILURE() << broken;
 }

@@ -19,10 +19,16 @@
 
 namespace limpet::cases {
 
+namespace {
+/// Of the program, not of the copies of it that trials are made in one after the other: when one crashes, its
+/// file is the next one's.
+const pid_t kProgram = ::getpid();
+}  // namespace
+
 FileInMemory::FileInMemory(const std::string& bytes, const std::string& extension) {
   const std::filesystem::path memory = "/dev/shm";
   const auto folder = std::filesystem::exists(memory) ? memory : std::filesystem::temp_directory_path();
-  path_ = (folder / ("limpet-case-" + std::to_string(::getpid()) + "." + extension)).string();
+  path_ = (folder / ("limpet-case-" + std::to_string(kProgram) + "." + extension)).string();
   std::ofstream file(path_, std::ios::binary);
   file << bytes;
   if (!file.flush()) throw std::runtime_error(path_ + ": cannot be written");
@@ -115,13 +121,21 @@ Broken judge_mesh(const FileCase& c) {
   return std::nullopt;
 }
 
+std::int64_t lines_without_comments(const std::string& bytes) {
+  std::istringstream text(bytes);
+  std::int64_t count = 0;
+  for (std::string line; std::getline(text, line);) count += !line.starts_with('#');
+  return count;
+}
+
 Broken judge_labels(const FileCase& c) {
   const FileInMemory file(c.bytes, "txt");
   try {
     io::LabelSource labels(file.path(), "");
-    std::int64_t label = 0;
-    for (int i = 0; i < kMostRecords && labels.next(label); ++i) {
-    }
+    std::int64_t label = 0, count = 0;
+    while (count < kMostRecords && labels.next(label)) ++count;
+    if (labels.is_list() && count < kMostRecords && count != lines_without_comments(c.bytes))
+      return BrokenLaw{"promise", std::to_string(count) + " labels are not one for every line"};
   } catch (const io::InputError& error) {
     return judge_refusal(error.what());
   }
@@ -155,7 +169,7 @@ Broken judge_sound_model(const model::ModelRecord& record) {
   try {
     model.emplace(record);
   } catch (const std::invalid_argument& error) {
-    return judge_refusal(error.what());
+    return BrokenLaw{"native", std::string("no model can be made of it: ") + error.what()};
   }
   std::vector<model::SensorPoint> set;
   for (const auto& s : record.polygon_segments)

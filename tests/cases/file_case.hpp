@@ -14,12 +14,13 @@ namespace limpet::cases {
 /// A file for one of the readers, whole or damaged. Every reader either refuses it, in one line, as the
 /// caller's mistake (law refusal; anything else thrown is law exception), or gives what keeps the reader's
 /// promises:
-///   scans   finite points, axes of length 1 where there are any (law promise), and the same again when read
-///   again meshes  finite vertices, indices in range, a face for every triangle (law promise) labels  as many
-///   as promised by a list's lines (law promise) native  written again it reads back to the same bytes (law
-///   native); the oracle's own reader, which shares no
-///           code with it, takes and refuses the same files (law grammar); a model made of what the oracle
-///           finds nothing wrong with is the same, and stays sound when points come (laws native, audit)
+///   - scans: finite points, axes of length 1 where there are any, and the same when read again (law
+///   promise);
+///   - meshes: finite vertices, indices in range, a face for every triangle (law promise);
+///   - labels: of a list, one for every line that is no comment (law promise);
+///   - native: written again it reads back to the same bytes (law native); the oracle's own reader, which
+///     shares no code with it, takes and refuses the same files (law grammar); of what the oracle finds
+///     nothing wrong with, a model can be made (law native), and it stays sound when points come (law audit).
 struct FileCase {
   static constexpr const char* kKind = "file";
   std::string format;  ///< ply, pcd, xyz, pwn: a scan; off, stl, obj, mesh-ply: a mesh; labels; limpet

@@ -6,9 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 namespace limpet::cases {
 namespace {
@@ -16,18 +18,22 @@ namespace {
 std::string read_all(int from) {
   std::string text;
   char buffer[256];
-  for (ssize_t n; (n = ::read(from, buffer, sizeof buffer)) > 0;)
+  for (;;) {
+    const ssize_t n = ::read(from, buffer, sizeof buffer);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return text;
     text.append(buffer, static_cast<std::size_t>(n));
-  return text;
+  }
 }
 
 }  // namespace
 
 std::string verdict_aside(const std::function<std::string()>& trial, unsigned seconds) {
   int ends[2];
-  if (::pipe(ends) != 0) return "crash";
+  if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
   std::fflush(nullptr);
   const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error("no process");
   if (child == 0) {
     ::close(ends[0]);
     // Of its own time: a loaded machine is no hang. What a crash says is not asked for.
@@ -47,7 +53,8 @@ std::string verdict_aside(const std::function<std::string()>& trial, unsigned se
   std::string verdict = read_all(ends[0]);
   ::close(ends[0]);
   int status = 0;
-  ::waitpid(child, &status, 0);
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return verdict;
   return WIFSIGNALED(status) && WTERMSIG(status) == SIGVTALRM ? "hang" : "crash";
 }

@@ -7,8 +7,8 @@
 
 namespace limpet::cases {
 
-/// How a trial in a process of its own ended: "" all laws hold, the name of the law that broke, "crash" or
-/// "hang".
+/// How a trial in a process of its own ended: "" all laws hold, the name of the law that broke, "crash",
+/// "hang", or "invalid" where it threw. Throws std::runtime_error when there is no process to be had.
 std::string verdict_aside(const std::function<std::string()>& trial, unsigned seconds);
 
 /// The smallest case found that ends as `wanted` does: tries reductions(c), goes on from the first that still
@@ -26,8 +26,9 @@ Case minimise(Case c, const std::string& wanted, unsigned seconds,
   };
   for (bool smaller = true; smaller;) {
     smaller = false;
+    const std::string text = to_text(c);
     for (Case& candidate : reductions(c)) {
-      if (verdict(candidate) != wanted) continue;
+      if (to_text(candidate) == text || verdict(candidate) != wanted) continue;
       c = std::move(candidate);
       told(c);
       smaller = true;

@@ -26,12 +26,19 @@ std::optional<BrokenLaw> broken_law(const Numbers& c) {
   return std::nullopt;
 }
 
+std::string to_text(const Numbers& c) {
+  std::string text;
+  for (const int v : c.values) text += std::to_string(v) + " ";
+  return text;
+}
+
 std::vector<Numbers> reductions(const Numbers& c) {
   std::vector<Numbers> smaller;
   for (std::size_t i = 0; i < c.values.size(); ++i) {
     smaller.push_back(c);
     smaller.back().values.erase(smaller.back().values.begin() + static_cast<std::ptrdiff_t>(i));
   }
+  smaller.push_back(c);  // no smaller at all
   return smaller;
 }
 

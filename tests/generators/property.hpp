@@ -18,11 +18,19 @@ inline std::uint64_t from_environment(const char* variable, std::uint64_t otherw
   return text ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
+/// How many cases a law is tried on; of these at least the part `least_share` must have been classified
+/// (RC_CLASSIFY), for a law that is asked of almost nothing says nothing.
+struct Cases {
+  Cases(int number, double least = 0) : count(number), least_share(least) {}
+  int count;
+  double least_share;
+};
+
 /// Tries a property on `cases` generated cases (LIMPET_CASES overrides), the same ones every time (those of
 /// LIMPET_SEED, else of seed 1). Empty when it holds; else the smallest case found that breaks it, as text
-/// that can be put into a test, and how to see it again.
+/// that can be put into a test, and how to see it again; or that too few of the cases were classified.
 template <class Property>
-std::string check(const std::string& law, int cases, Property&& property) {
+std::string check(const std::string& law, Cases cases, Property&& property) {
   namespace detail = rc::detail;
   struct Silent : detail::TestListener {
     void onTestCaseFinished(const detail::CaseDescription&) override {}
@@ -31,14 +39,22 @@ std::string check(const std::string& law, int cases, Property&& property) {
   } silent;
   detail::TestParams params;
   params.seed = from_environment("LIMPET_SEED", 1);
-  params.maxSuccess = static_cast<int>(from_environment("LIMPET_CASES", static_cast<std::uint64_t>(cases)));
+  params.maxSuccess =
+      static_cast<int>(from_environment("LIMPET_CASES", static_cast<std::uint64_t>(cases.count)));
   params.maxDiscardRatio = 100;
   detail::TestMetadata metadata;
   metadata.id = metadata.description = law;
   const detail::TestResult result = detail::checkProperty(
       detail::toProperty(std::forward<Property>(property)), metadata, params, silent, {});
-  if (result.template is<detail::SuccessResult>()) return {};
   std::ostringstream text;
+  detail::SuccessResult success;
+  if (result.match(success)) {
+    int classified = 0;
+    for (const auto& [tags, count] : success.distribution) classified += tags.empty() ? 0 : count;
+    if (classified >= cases.least_share * success.numSuccess) return {};
+    text << law << "\nwas tried on " << classified << " of " << success.numSuccess << " cases only\n";
+    return text.str();
+  }
   text << law << "\n";
   detail::printResultMessage(result, text);
   text << "\nAgain with LIMPET_SEED=" << params.seed << " LIMPET_CASES=" << params.maxSuccess << "\n";

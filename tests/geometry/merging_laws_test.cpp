@@ -24,7 +24,7 @@ bool holds(const Polygon& p, const Cycles& cycles, double slack) {
 double farthest_move(double gap) { return std::min(48.0, std::max(3.0, gap / 64 * 1.5 + 1)); }
 
 TEST(UniteLaws, TheUnionIsValidAndHoldsBoth) {
-  expect_law("unite (1) (2) (3) (6)", 2500, [] {
+  expect_law("unite (1) (2) (3) (6)", Cases{2500, 0.6}, [] {
     const Pair pair = *pairs();
     EdgeIds ids;
     Polygon a = make(pair.a.cycles, ids);
@@ -79,7 +79,7 @@ TEST(UniteLaws, TheOrderShowsInTheAreaByNoMoreThanRounding) {
 // bridge_polygons and bridge_self
 
 TEST(BridgeLaws, WhatIsBridgedIsValidAndLosesNoArea) {
-  expect_law("bridge_polygons (1) (2) (3)", 2500, [] {
+  expect_law("bridge_polygons (1) (2) (3)", Cases{2500, 0.04}, [] {
     Pair pair = *pairs();
     EdgeIds ids;
     Polygon a = make(pair.a.cycles, ids);
@@ -108,7 +108,7 @@ TEST(BridgeLaws, WhatIsBridgedIsValidAndLosesNoArea) {
 }
 
 TEST(BridgeLaws, ASelfBridgeMakesAHoleAndKeepsSharedEdges) {
-  expect_law("bridge_self (1) (2)", 2500, [] {
+  expect_law("bridge_self (1) (2)", Cases{8000, 0.01}, [] {
     EdgeIds ids;
     const Boundary b = *polygons();
     Polygon p = make(b.cycles, ids);
@@ -116,10 +116,12 @@ TEST(BridgeLaws, ASelfBridgeMakesAHoleAndKeepsSharedEdges) {
     const Polygon before = p;
     const double gap = any_gap();
     RC_LOG() << "gap " << gap << "\n";
-    const Slot s = any_slot(p);
-    const bool done = bridge_self(p, s, gap, ids);
+    bool done = false;
+    for (const auto& [slot, edge] : all_edges(before)) {
+      if ((done = bridge_self(p, slot, gap, ids))) break;
+      RC_ASSERT(same_boundary(before, p));
+    }
     RC_CLASSIFY(done);
-    RC_ASSERT(done || same_boundary(before, p));
     expect_valid(p);
     RC_ASSERT(holds_shared(p, shared));
     if (done) RC_ASSERT(p.hole_count() == before.hole_count() + 1);
@@ -129,7 +131,7 @@ TEST(BridgeLaws, ASelfBridgeMakesAHoleAndKeepsSharedEdges) {
 // merge_polygons
 
 TEST(MergeLaws, OnlyUnionsAndBridgesChangeAnything) {
-  expect_law("merge_polygons (1) (2) (3) (4)", 2500, [] {
+  expect_law("merge_polygons (1) (2) (3) (4)", Cases{2500, 0.6}, [] {
     const Pair pair = *pairs();
     EdgeIds ids;
     Polygon a = make(pair.a.cycles, ids), other = make(pair.b.cycles, ids);
@@ -138,7 +140,7 @@ TEST(MergeLaws, OnlyUnionsAndBridgesChangeAnything) {
     RC_LOG() << "gap " << gap << "\n";
     const Merger merger = merge_polygons(a, b, gap, ids);
     const Merger swapped = merge_polygons(other, before, gap, ids);
-    RC_TAG(static_cast<int>(merger));
+    RC_CLASSIFY(merger == Merger::united || merger == Merger::bridged);
     RC_ASSERT((merger == Merger::too_far) == (swapped == Merger::too_far));
     if (merger != Merger::united && merger != Merger::bridged) {
       RC_ASSERT(same_boundary(before, a));

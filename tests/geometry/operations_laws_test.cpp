@@ -100,7 +100,7 @@ std::vector<NewVertex> vertices_new_in(const Polygon& after, const Polygon& befo
 }
 
 TEST(ExtendLaws, WhatIsNotExtendedIsAsItWasAndWhatIsHoldsThePointAndItsArea) {
-  expect_law("extend_to_point (1) (2) (3) (4)", 3000, [] {
+  expect_law("extend_to_point (1) (2) (3) (4)", Cases{3000, 0.2}, [] {
     EdgeIds ids;
     const Boundary b = *polygons();
     Polygon p = make(b.cycles, ids);
@@ -133,7 +133,7 @@ TEST(ExtendLaws, WhatIsNotExtendedIsAsItWasAndWhatIsHoldsThePointAndItsArea) {
 // fill_fissures
 
 TEST(FillLaws, ItKeepsThePolygonValidItsSharedEdgesAndItsArea) {
-  expect_law("fill_fissures (1) (2) (3) (4)", 2500, [] {
+  expect_law("fill_fissures (1) (2) (3) (4)", Cases{2500, 0.2}, [] {
     EdgeIds ids;
     const Boundary b = *polygons();
     Polygon p = make(b.cycles, ids);

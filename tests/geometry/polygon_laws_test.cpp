@@ -146,7 +146,7 @@ EditCase any_edit(const Polygon& p) {
 }
 
 TEST(ChangeLaws, ItIsMadeExactlyWhenItsResultIsValid) {
-  expect_law("change (1) (2) (3)", 4000, [] {
+  expect_law("change (1) (2) (3)", Cases{4000, 0.6}, [] {
     EdgeIds ids;
     Polygon p = make((*polygons()).cycles, ids);
     for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limpet/model/model.hpp>
 
 namespace limpet::model {
@@ -43,6 +44,19 @@ TEST(Promotion, APatchOfThinlyScannedPlaneIsFoundTogether) {
   const Model model = modelled(points);
   EXPECT_EQ(model.counts().polygons, 1);
   EXPECT_EQ(model.counts().loose, 0);
+}
+
+TEST(Promotion, ReadingsThatGrazeAPlaneMakeNone) {
+  const auto seen_at = [](double degrees_from_normal) {
+    const double angle_rad = degrees_from_normal * M_PI / 180;
+    std::vector<SensorPoint> points;
+    for (int i = 0; i < 8; ++i)
+      for (int j = 0; j < 8; ++j)
+        points.push_back({{0.02 * i, 0.02 * j, 0}, {std::sin(angle_rad), 0, -std::cos(angle_rad)}});
+    return modelled(points).counts().polygons;
+  };
+  EXPECT_EQ(seen_at(78), 1);
+  EXPECT_EQ(seen_at(82), 0);
 }
 
 TEST(Promotion, OpposedSensingAxesDoNotMerge) {
