@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limpet/app/checkpoint.hpp>
 #include <string>
 
@@ -16,7 +17,8 @@ class CheckpointKeeper {
 
   bool on() const { return !path_.empty(); }
   bool due(std::int64_t sets) const { return on() && sets % every_ == 0; }
-  void keep(const Checkpoint& checkpoint);
+  /// Neither a full disk nor memory that does not hold the state a second time ends the run.
+  void keep(const std::function<Checkpoint()>& taken);
   /// Why the last one could not be written; empty: it could, or none was due.
   const std::string& failure() const { return failure_; }
 

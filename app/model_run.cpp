@@ -161,8 +161,10 @@ void ModelRun::give(model::Model& model, const std::vector<Reading>& set) {
 void ModelRun::keep_checkpoint(const model::Model& model) {
   if (!keeper_.on()) return;
   const auto start = Clock::now();
-  keeper_.keep({options_, given_, sets_, digest_.value(), violations_, seconds_so_far(), voxel_edge_,
-                stages_.state(), model.state()});
+  keeper_.keep([&] {
+    return Checkpoint{options_,         given_,      sets_,           digest_.value(), violations_,
+                      seconds_so_far(), voxel_edge_, stages_.state(), model.state()};
+  });
   apart_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
 

@@ -21,6 +21,18 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
+/// The file that a link stands for, there or not: what is written takes its place, and the link stays.
+std::string followed(const std::string& path) {
+  std::filesystem::path target = path;
+  std::error_code none;
+  for (int links = 0; links < 40 && std::filesystem::is_symlink(target, none); ++links) {
+    const std::filesystem::path next = std::filesystem::read_symlink(target, none);
+    if (none) break;
+    target = target.parent_path() / next;  // which is `next` where that is absolute
+  }
+  return target.string();
+}
+
 std::string name_of(int file) { return "/proc/self/fd/" + std::to_string(file); }
 
 /// The process number keeps two programs that write the same file from writing the same bytes aside.
@@ -40,7 +52,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
     device_ = true;
     file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    if (exists) target_ = std::filesystem::canonical(path_).string();  // a link stays a link
+    target_ = followed(path_);
     open_unnamed();
     if (file_ < 0) open_aside();
   }

@@ -5,11 +5,11 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 build=build/coverage out=out/coverage
 mkdir -p $out && rm -f $out/*.profraw
-cmake -S . -B $build -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DLIMPET_FUZZ=ON \
-  -DCMAKE_CXX_FLAGS_RELEASE="-O1 -fprofile-instr-generate -fcoverage-mapping" >$out/build.log
+cmake -S . -B $build -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DLIMPET_FUZZ=ON -DLIMPET_COVERAGE=ON \
+  -DCMAKE_CXX_FLAGS_RELEASE=-O1 >$out/build.log
 suites=(geometry/limpet_geometry_tests model/limpet_model_tests cases/limpet_cases_tests)
 kinds=(perimeter stream scan mesh native labels)
-cmake --build $build -j "${JOBS:-$(nproc)}" --target limpet_geometry_tests limpet_model_tests limpet_cases_tests limpet_fuzzers >>$out/build.log
+cmake --build $build -j "${JOBS:-$(nproc)}" --target limpet_geometry_tests limpet_model_tests limpet_cases_tests limpet_fuzzers >>$out/build.log || { tail -20 $out/build.log >&2; exit 1; }
 
 # report NAME PROGRAM...: of what these programs left in NAME-*.profraw
 report() {

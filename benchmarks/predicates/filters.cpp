@@ -65,7 +65,9 @@ void count(const std::vector<std::string>& command, Stages& stages) {
   limits.cpu_seconds = 300;
   limits.with_errors = true;
   const ChildEnd end = run_program(command, limits);
-  if (end.signal != 0 || end.hang) throw std::runtime_error(command[0] + ": " + end.how());
+  // A model that falls short (1) is counted like any other; no program, or a scan that is refused, is not.
+  if (end.signal != 0 || end.hang || end.exit_code > 1)
+    throw std::runtime_error(command[0] + ": " + end.how());
   add(end.output, stages);
 }
 

@@ -77,6 +77,19 @@ TEST_F(FullOutput, LabelsSummaryAndCheckpointAreWholeOrNotThere) {
   expect_only({"c.ply", "m.limpet"});
 }
 
+TEST_F(FullOutput, ALinkStaysALinkToWhatIsWritten) {
+  const auto scan_file = scan("c.ply", "cube", 2'000);
+  std::filesystem::create_directory(path("runs"));
+  std::filesystem::create_symlink("runs/latest", path("m.limpet"));
+  std::filesystem::create_symlink("1.limpet", path("runs/latest"));
+  for (int run_number = 0; run_number < 2; ++run_number) {  // the file is not there yet, then it is
+    EXPECT_EQ(run({"model", scan_file, "-q", "-o", path("m.limpet")}).code, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(path("m.limpet")));
+    EXPECT_TRUE(std::filesystem::is_symlink(path("runs/latest")));
+    EXPECT_EQ(run({"check", path("runs/1.limpet")}).code, 0);
+  }
+}
+
 TEST_F(FullOutput, DevicesThatAreFullAreTold) {
   const auto scan_file = scan("c.ply", "cube", 2'000);
   std::filesystem::create_symlink("/dev/full", path("full.off"));
