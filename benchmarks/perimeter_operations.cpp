@@ -4,20 +4,18 @@
 // child processes, so that a crash or a hang is counted and not fatal.
 //
 //   limpet_perimeter_operations --help
-#include <sys/mman.h>
-
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <map>
-#include <new>
 #include <optional>
 #include <string>
 
 #include "../tests/cases/perimeter_script.hpp"
 #include "child.hpp"
 #include "perimeter_figures.hpp"
+#include "shared_figures.hpp"
 
 namespace limpet::benchmarks {
 namespace {
@@ -171,9 +169,7 @@ Options options_of(int argc, char** argv) {
 }
 
 int run(const Options& options) {
-  void* memory = mmap(nullptr, sizeof(Figures), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) return 2;
-  Figures& figures = *new (memory) Figures;
+  auto& figures = shared_figures<Figures>();
   const auto begin = std::chrono::steady_clock::now();
   if (options.replay)
     Batch(batch_seed(options.seed, *options.replay), options, figures, options.found).run(kBatch);

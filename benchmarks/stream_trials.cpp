@@ -4,19 +4,17 @@
 // Each stream runs in a process of its own, so that a crash or a hang is counted and not fatal.
 //
 //   limpet_stream_trials --help
-#include <sys/mman.h>
-
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <new>
 #include <string>
 #include <vector>
 
 #include "../tests/cases/minimise.hpp"
 #include "../tests/cases/stream_case.hpp"
 #include "../tests/geometry/perimeter_shapes.hpp"
+#include "shared_figures.hpp"
 
 namespace limpet::benchmarks {
 namespace {
@@ -40,10 +38,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-  void* memory =
-      mmap(nullptr, sizeof(StreamFigures), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) return 2;
-  StreamFigures& figures = *new (memory) StreamFigures;
+  auto& figures = shared_figures<StreamFigures>();
   std::uint64_t streams = 0, broken = 0, crashes = 0, hangs = 0;
   const auto begin = std::chrono::steady_clock::now();
   for (std::uint64_t seed = o.seed << 32; figures.sets < o.sets; ++seed, ++streams) {

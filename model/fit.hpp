@@ -38,8 +38,9 @@ struct Fit {
 /// Fit with the normal turned away from `inside` (a sum of sensing axes, which point into the surface),
 /// thesis §2.4.1.
 ///  (1) u1 ≥ u2 ≥ u3 ≥ 0 and the axes are orthonormal (of two points or more);
-///  (2) normal · inside ≤ 0; the opposite `inside` gives the opposite normal, unless they are at right
-///  angles; (3) all but the centroid stays, to the last bit, where the covariance does (Moments, law 2).
+///  (2) normal · inside ≤ 0; the opposite `inside` gives the opposite normal, unless they are at
+///      right angles;
+///  (3) all but the centroid stays, to the last bit, where the covariance does (Moments, law 2).
 Fit fit_to(const Moments&, double step, const Eigen::Vector3d& inside);
 
 }  // namespace limpet::model

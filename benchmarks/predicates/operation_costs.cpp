@@ -42,10 +42,6 @@ std::array<Json, kBuilds.size()> count_each(const std::vector<PerimeterCase>& so
   return counted;
 }
 
-Json quotient(const Json& a, const Json& b) {
-  return a.is_number() && b.is_number() ? Json(a.get<double>() / b.get<double>()) : Json();
-}
-
 void add_rows(const Setting& setting, const Effort& effort, const PredicatesOptions& options, Table& table) {
   const std::string path = options.scratch + "/operations.cases";
   const auto list = record_operations(setting, effort.each, 1);

@@ -3,8 +3,7 @@
 // What exactness costs, and what goes wrong without it: limpet, limpet-float-grid and limpet-float, in
 // processes of their own, on the same operations, pairs of polygons, streams and scans (docs/predicates.md).
 //
-//     limpet_predicates report --out DIR [--full] [--data DIR] [--parts
-//     laws,operations,runs,unions,corpus,filters]
+//     limpet_predicates report --out DIR [--full] [--data DIR] [--parts laws,runs,...]
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>

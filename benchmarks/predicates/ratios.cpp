@@ -18,4 +18,8 @@ Spread spread_of(std::vector<double> numbers) {
   return {at(0.5), at(0.1), at(0.9)};
 }
 
+Json quotient(const Json& a, const Json& b) {
+  return a.is_number() && b.is_number() && b > 0.0 ? Json(a.get<double>() / b.get<double>()) : Json();
+}
+
 }  // namespace limpet::benchmarks

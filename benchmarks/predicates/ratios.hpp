@@ -13,4 +13,7 @@ struct Spread {
 };
 Spread spread_of(std::vector<double>);
 
+/// Of two numbers; nothing where either is none, or b is 0.
+Json quotient(const Json& a, const Json& b);
+
 }  // namespace limpet::benchmarks

@@ -12,10 +12,6 @@ Json least(const std::vector<double>& seconds) {
   return seconds.empty() ? Json() : Json(*std::min_element(seconds.begin(), seconds.end()));
 }
 
-Json quotient(const Json& a, const Json& b) {
-  return a.is_number() && b.is_number() && b > 0.0 ? Json(a.get<double>() / b.get<double>()) : Json();
-}
-
 /// The ratios of the single rounds: builds that ended in all of them have run side by side.
 Spread rounds_of(const RunResult& exact, const RunResult& other) {
   std::vector<double> ratios;

@@ -1,9 +1,9 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // Cases by hand:
-//   limpet_case replay FILE...                   which laws they break; exit 1 if any
-//   limpet_case show KIND BYTES -o FILE          what an input of the fuzzer of this kind stands for, as a
-//   case limpet_case minimise FILE -o FILE [SECONDS]  the smallest case that ends in the same way
+//   limpet_case replay FILE...                        which laws they break; exit 1 if any
+//   limpet_case show KIND BYTES -o FILE               what a fuzzer's input of this kind stands for
+//   limpet_case minimise FILE -o FILE [SECONDS]       the smallest case that ends in the same way
 #include <cstdio>
 #include <cstring>
 #include <fstream>

@@ -14,8 +14,9 @@
 namespace limpet::cases {
 
 /// A stream of sensor points and what the model is built to. After every set: the oracle finds nothing (law
-/// audit), no reading is lost (readings), the changes tell all that happened (changes), the native file reads
-/// back to the same bytes (native), nothing is thrown (exception).
+/// audit), no reading is lost (readings), the changes tell all that happened (changes), nothing is thrown
+/// (exception). Half way, and at the end, the native file reads back to the same bytes (native); half way,
+/// too, the model is made anew from its state, which is as it was (state), and goes on.
 struct StreamCase {
   static constexpr const char* kKind = "stream";
   model::Parameters parameters;
