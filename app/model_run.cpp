@@ -124,7 +124,7 @@ void ModelRun::read_all(model::Model& model, std::int64_t total) {
   if (interrupted_ && !set.empty()) give(model, set);
   if (!interrupted_) model.finish();
   seconds_ = seconds_so_far();
-  gaps_.add(given_, scan_.skipped_at_end());
+  skipped_.add(given_, scan_.skipped_at_end());
 }
 
 void ModelRun::read_set(std::vector<Reading>& set) {
@@ -136,7 +136,7 @@ void ModelRun::read_set(std::vector<Reading>& set) {
 }
 
 void ModelRun::count_in(const Reading& reading) {
-  gaps_.add(given_++, reading.skipped);
+  skipped_.add(given_++, reading.skipped);
   sample_.add(reading.point);
   if (!keeper_.on()) return;
   for (const Eigen::Vector3d& v : {reading.point.position, reading.point.axis})
@@ -210,7 +210,7 @@ void ModelRun::save(const model::Model& model, const model::ModelRecord& record,
                     const Summary& summary) const {
   for (const std::string& path : args_.models) io::save_model(path, record);
   if (args_.stages > 0) stages_.save(args_.models.front(), record);
-  if (!args_.labels.empty()) save_text(args_.labels, gaps_.label_lines(model.labels()));
+  if (!args_.labels.empty()) save_text(args_.labels, skipped_.label_lines(model.labels()));
   if (!args_.json.empty()) save_text(args_.json, to_json(summary));
 }
 

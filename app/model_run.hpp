@@ -7,9 +7,9 @@
 #include <limpet/app/checkpoint_keeper.hpp>
 #include <limpet/app/commands.hpp>
 #include <limpet/app/estimate.hpp>
-#include <limpet/app/gaps.hpp>
 #include <limpet/app/point_stream.hpp>
 #include <limpet/app/scan_choices.hpp>
+#include <limpet/app/skipped_records.hpp>
 #include <limpet/app/stages.hpp>
 #include <limpet/app/summary.hpp>
 #include <limpet/model/digest.hpp>
@@ -66,7 +66,7 @@ class ModelRun {
   Stages stages_;
   // All that follows, but for times, comes from the points alone.
   Sample sample_;
-  Gaps gaps_;
+  SkippedRecords skipped_;
   model::Digest digest_;    ///< of the points given, where checkpoints are kept
   std::int64_t given_ = 0;  ///< points handed to the model
   std::int64_t sets_ = 0, violations_ = 0;

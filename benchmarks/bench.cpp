@@ -21,6 +21,7 @@
 #include <CLI/CLI.hpp>
 
 #include "contestants.hpp"
+#include "program.hpp"
 #include "report.hpp"
 #include "sections.hpp"
 
@@ -201,10 +202,6 @@ int run(int argc, char** argv) {
 }  // namespace limpet::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return limpet::benchmarks::run(argc, argv);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "limpet_bench: %s\n", e.what());
-    return 1;
-  }
+  return limpet::benchmarks::told_in_a_line("limpet_bench",
+                                            [&] { return limpet::benchmarks::run(argc, argv); });
 }

@@ -15,6 +15,7 @@
 #include "../tests/cases/perimeter_script.hpp"
 #include "child.hpp"
 #include "perimeter_figures.hpp"
+#include "program.hpp"
 #include "shared_figures.hpp"
 
 namespace limpet::benchmarks {
@@ -186,5 +187,7 @@ int run(const Options& options) {
 }  // namespace limpet::benchmarks
 
 int main(int argc, char** argv) {
-  return limpet::benchmarks::run(limpet::benchmarks::options_of(argc, argv));
+  using namespace limpet::benchmarks;
+  return told_in_a_line(
+      "limpet_perimeter_operations", [&] { return run(options_of(argc, argv)); }, 2);
 }

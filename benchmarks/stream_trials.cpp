@@ -14,6 +14,7 @@
 #include "../tests/cases/minimise.hpp"
 #include "../tests/cases/stream_case.hpp"
 #include "../tests/geometry/perimeter_shapes.hpp"
+#include "program.hpp"
 #include "shared_figures.hpp"
 
 namespace limpet::benchmarks {
@@ -79,5 +80,6 @@ int main(int argc, char** argv) {
   app.add_option("--found", options.found, "Cases that break a law go to FOUND-SEED.case");
   app.add_option("--json", options.json, "Write the figures there, too");
   CLI11_PARSE(app, argc, argv);
-  return limpet::benchmarks::run(options);
+  return limpet::benchmarks::told_in_a_line(
+      "limpet_stream_trials", [&] { return limpet::benchmarks::run(options); }, 2);
 }

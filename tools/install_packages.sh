@@ -7,7 +7,7 @@ packages=(
   g++ cmake ninja-build ccache mold clang-format
   libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libboost-dev libopenmesh-dev libpng-dev
   libcli11-dev nlohmann-json3-dev
-  libgtest-dev librapidcheck-dev python3
+  libgtest-dev librapidcheck-dev python3 locales
   libcgal-demo)
 for group in "$@"; do
   case $group in

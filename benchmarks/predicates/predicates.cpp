@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 
+#include "../program.hpp"
 #include "builds.hpp"
 #include "union_answers.hpp"
 
@@ -74,10 +75,6 @@ int run(int argc, char** argv) {
 }  // namespace limpet::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return limpet::benchmarks::run(argc, argv);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "limpet_predicates: %s\n", e.what());
-    return 1;
-  }
+  return limpet::benchmarks::told_in_a_line("limpet_predicates",
+                                            [&] { return limpet::benchmarks::run(argc, argv); });
 }

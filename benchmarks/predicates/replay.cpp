@@ -17,6 +17,7 @@
 #include "../../tests/model/random_streams.hpp"
 #include "../child.hpp"
 #include "../process.hpp"
+#include "../program.hpp"
 #include "case_list.hpp"
 
 namespace limpet::benchmarks {
@@ -124,10 +125,6 @@ int run(int argc, char** argv) {
 }  // namespace limpet::benchmarks
 
 int main(int argc, char** argv) {
-  try {
-    return limpet::benchmarks::run(argc, argv);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "limpet_replay: %s\n", e.what());
-    return 2;
-  }
+  return limpet::benchmarks::told_in_a_line(
+      "limpet_replay", [&] { return limpet::benchmarks::run(argc, argv); }, 2);
 }

@@ -49,7 +49,7 @@ TEST(UniteLaws, TheUnionIsValidAndHoldsBoth) {
   });
 }
 
-TEST(UniteLaws, APolygonInsideAnotherChangesNothingAndSoDoesItself) {
+TEST(UniteLaws, WithItselfItStaysAsItIs) {
   expect_law("unite (4)", 1500, [] {
     EdgeIds ids;
     const Boundary whole_one = *polygons();

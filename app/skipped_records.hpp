@@ -10,18 +10,18 @@
 namespace limpet::app {
 
 /// How many records without a point stand before which point, for --labels.
-class Gaps {
+class SkippedRecords {
  public:
   void add(std::int64_t before_point, std::int64_t records) {
-    if (records > 0) gaps_.emplace_back(before_point, records);
+    if (records > 0) skipped_.emplace_back(before_point, records);
   }
   /// One line a record.
   std::string label_lines(const std::vector<model::SegmentId>& labels) const {
     std::string text;
-    auto gap = gaps_.begin();
+    auto skipped = skipped_.begin();
     for (std::size_t i = 0; i <= labels.size(); ++i) {
-      for (; gap != gaps_.end() && gap->first == static_cast<std::int64_t>(i); ++gap) {
-        for (std::int64_t k = 0; k < gap->second; ++k) text += "0\n";
+      for (; skipped != skipped_.end() && skipped->first == static_cast<std::int64_t>(i); ++skipped) {
+        for (std::int64_t k = 0; k < skipped->second; ++k) text += "0\n";
       }
       if (i < labels.size()) text += std::to_string(labels[i].value) + "\n";
     }
@@ -29,7 +29,7 @@ class Gaps {
   }
 
  private:
-  std::vector<std::pair<std::int64_t, std::int64_t>> gaps_;
+  std::vector<std::pair<std::int64_t, std::int64_t>> skipped_;
 };
 
 }  // namespace limpet::app
