@@ -20,7 +20,7 @@ struct Entry {
   std::string digest;                    ///< of the scan, then of the model
 };
 
-void PrintTo(const Entry& entry, std::ostream* out) { *out << entry.name; }
+void PrintTo(const Entry& entry, std::ostream* out) { *out << entry.name; }  // NOLINT: googletest's name
 
 /// name | arguments of scan | arguments of model | digests
 std::vector<Entry> entries() {
@@ -88,8 +88,9 @@ TEST_F(MadeModels, AreTheSameInAnyLocale) {
   // Decimal commas, and an i without a dot; few machines have these locales on their own.
   for (const std::string locale : {"de_DE", "tr_TR"}) {
     const std::string made_here = path(locale + ".UTF-8");
-    ASSERT_EQ(std::system(("localedef -i " + locale + " -f UTF-8 --no-archive " + made_here).c_str()), 0)
-        << "the package 'locales' has what is missing";
+    std::string make = "localedef -f UTF-8 --no-archive -i ";
+    make.append(locale).append(" ").append(made_here);
+    ASSERT_EQ(std::system(make.c_str()), 0) << "the package 'locales' has what is missing";
     EXPECT_EQ(made(entry, {path(""), {{"LC_ALL", locale + ".UTF-8"}, {"LOCPATH", path("")}}, ""}), here);
   }
 }

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include "stream_case.hpp"
 
-#include <time.h>
+#include <ctime>
 
 #include <algorithm>
 #include <exception>
