@@ -8,8 +8,11 @@
 namespace limpet::app {
 namespace {
 
-constexpr double kSameAxis =
-    1e-4;  ///< radians; normals of neighbourhoods flat to the last digit agree that well
+/// Radians; normals of neighbourhoods flat to the last digit agree that well.
+constexpr double kSameAxis = 1e-4;
+/// Cosine between sensing axis and depths; no camera sees farther to the side, and the coordinate that is
+/// nearest to an axis is never farther off.
+constexpr double kLeastSlant = 0.5;
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.cross(b).norm(); }
 
@@ -60,10 +63,11 @@ std::optional<double> noise_of(const std::vector<model::SensorPoint>& points, co
   Eigen::Index depth = 0;  // the coordinate that looks along the axis, as in the sensor's own frame
   axis.cwiseAbs().maxCoeff(&depth);
   const Eigen::Vector3d along = rounded.axis.isZero() ? Eigen::Vector3d::Unit(depth) : rounded.axis;
+  const double slant = std::abs(axis.dot(along));
+  if (slant < kLeastSlant) return apparent;  // rows of readings across the view are no steps of depth
   const Steps steps = steps_along(along, points, rounded.within);
   if (3 * steps.distinct > points.size()) return apparent;
   if (steps.distinct == 1) return std::nullopt;
-  const double slant = std::abs(axis.dot(along));
   return std::max(apparent, steps.least / slant / std::sqrt(12.0));
 }
 
