@@ -82,12 +82,24 @@ bool OutputFile::link_to(const std::string& name) {
   return false;
 }
 
-/// The final name if it is free, else one aside: a link takes no other's place.
+/// The final name if it is free; else, for a link takes no other's place, one aside that is renamed. The name
+/// aside is always the same: what a program that was killed in between has left there goes.
 void OutputFile::give_name() {
-  if (link_to(target_)) return;
-  for (int attempt = 0; attempt < kAttempts && aside_.empty(); ++attempt)
-    if (const std::string name = aside_name(target_, attempt); link_to(name)) aside_ = name;
-  if (aside_.empty()) fail("cannot be written");
+  const std::string aside = target_ + ".part-of-limpet";
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (link_to(target_)) return;
+    if (!link_to(aside)) {
+      ::unlink(aside.c_str());
+    } else if (::rename(aside.c_str(), target_.c_str()) == 0) {
+      return;
+    } else if (errno != ENOENT) {  // else another program has just taken the name for a leftover
+      const int reason = errno;
+      ::unlink(aside.c_str());
+      errno = reason;
+      break;
+    }
+  }
+  fail("cannot be written");
 }
 
 /// So that the name is on the disk, too. Some file systems cannot, and some folders may not be read.
