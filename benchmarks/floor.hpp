@@ -10,7 +10,7 @@
 
 #include <limpet/geometry/chart.hpp>
 #include <limpet/geometry/polygon.hpp>
-#include <limpet/model/moments.hpp>
+#include <limpet/model/moments_internal.hpp>
 #include <limpet/model/record.hpp>
 #include <limpet/model/sensor_point.hpp>
 

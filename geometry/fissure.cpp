@@ -196,7 +196,7 @@ class Filler {
   }
 
   void enqueue_created() {
-    for (const auto& created : polygon_.take_created()) queue_.push_back(created);
+    for (; read_ < polygon_.created().size(); ++read_) queue_.push_back(polygon_.created()[read_]);
   }
 
   Polygon& polygon_;
@@ -204,6 +204,7 @@ class Filler {
   EdgeIds& ids_;
   bool bridge_;
   std::vector<std::pair<Slot, EdgeId>> queue_;  ///< edges to look at, and those looked at
+  std::size_t read_ = polygon_.created().size();  ///< so many of the edges put in place are in the queue, or were there before
   std::size_t count_ = 0;
 };
 

@@ -145,6 +145,8 @@ class Polygon {
   /// along), since last taken.
   std::vector<EdgeId> take_removed();
   std::vector<std::pair<Slot, EdgeId>> take_created();
+  /// What take_created() would give.
+  const std::vector<std::pair<Slot, EdgeId>>& created() const { return created_; }
 
   /// Counts boundary changes.
   std::uint64_t version() const { return version_; }

@@ -202,17 +202,22 @@ void describe(Archive& archive, const std::pair<A, B>& both) {
 }
 
 /// There, or not.
-template <class Archive, class T>
-void describe(Archive& archive, std::unique_ptr<T>& one) {
-  bool there = false;
-  archive(there);
-  one = there ? std::make_unique<T>() : nullptr;
-  if (there) archive(*one);
+template <class Archive, class Pointer>
+requires requires(Pointer p) {
+  p.get();
+  typename std::remove_cvref_t<decltype(*p)>;
 }
-template <class Archive, class T>
-void describe(Archive& archive, const std::unique_ptr<T>& one) {
-  archive(one != nullptr);
-  if (one) archive(std::as_const(*one));
+void describe(Archive& archive, Pointer& one) {
+  if constexpr (Archive::kReads) {
+    using T = std::remove_cvref_t<decltype(*one)>;
+    bool there = false;
+    archive(there);
+    one = there ? std::make_unique<T>() : nullptr;
+    if (there) archive(*one);
+  } else {
+    archive(one.get() != nullptr);
+    if (one) archive(std::as_const(*one));
+  }
 }
 
 }  // namespace limpet::model::internal

@@ -7,15 +7,9 @@
 
 #include <limpet/geometry/chart.hpp>
 
-namespace limpet::model::internal {
+#include "thresholds_internal.hpp"
 
-/// The copies of a shared edge's end, each rounded in its own chart, may be this many grid steps / sin θ
-/// apart (the oracle allows 4), θ the angle between the planes.
-inline constexpr double kEndSteps = 3.5;
-/// Grid steps: no shorter shared edge is formed, nor left by a corner.
-inline constexpr double kLeastSharedSteps = 16;
-/// Below this sine of the angle between them two planes have no line to share edges on.
-inline constexpr double kLeastSine = 0.02;
+namespace limpet::model::internal {
 
 inline double sine_between(const geometry::Plane& a, const geometry::Plane& b) {
   const Eigen::Vector3d c = a.normal.cross(b.normal);

@@ -6,6 +6,8 @@
 
 #include <limpet/geometry/predicates.hpp>
 
+#include "voids_internal.hpp"
+
 namespace limpet::model::internal {
 namespace {
 
@@ -13,18 +15,17 @@ using geometry::EdgeId;
 using geometry::Point2;
 using geometry::Slot;
 
-constexpr std::size_t kMaxRing = 64;  ///< segments around one corner
-constexpr int kMaxOpenEdges = 64;     ///< between two shared edges that may meet in a corner
-
 const geometry::Polygon::Node& node_of(const RingPart& part, Slot s) {
   return part.segment->polygon->perimeter.node(s);
 }
 
-const Segment& segment_across(const Engine& e, EdgeId edge) { return e.at(across(e, edge).segment); }
+const Segment& segment_across(const Complex& complex, EdgeId edge) {
+  return complex.at(complex.edges().across(edge).segment);
+}
 
-CommonLine line_across(const Engine& e, const Segment& s, EdgeId edge, const Eigen::Vector3d& near) {
+CommonLine line_across(const Complex& complex, const Segment& s, EdgeId edge, const Eigen::Vector3d& near) {
   // The edge's planes were not parallel when it was formed, nor when it was repositioned.
-  return common_line(s.polygon->plane(), segment_across(e, edge).polygon->plane(), near).value();
+  return common_line(s.polygon->plane(), segment_across(complex, edge).polygon->plane(), near).value();
 }
 
 double squared_distance(const CommonLine& line, const Eigen::Vector3d& p) {
@@ -33,29 +34,29 @@ double squared_distance(const CommonLine& line, const Eigen::Vector3d& p) {
 }
 
 /// The stretch from shared edge e₁ to the one that follows it, if it may give way to a corner.
-std::optional<RingPart> part_after(const Engine& e, const Segment& s, Slot first) {
+std::optional<RingPart> part_after(const Complex& complex, const Segment& s, Slot first) {
   const geometry::Polygon& perimeter = s.polygon->perimeter;
   RingPart part;
   part.segment = &s, part.before = first;
   Slot v = perimeter.next(first);
   part.between.push_back(v);
   for (int open = 0; !perimeter.node(v).shared; ++open) {
-    if (open == kMaxOpenEdges) return std::nullopt;
+    if (open == kMaxCornerOpen) return std::nullopt;
     part.between.push_back(v = perimeter.next(v));
   }
   part.after = v;
   if (part.after == part.before) return std::nullopt;
   const EdgeId e1 = perimeter.node(part.before).edge, e2 = perimeter.node(part.after).edge;
-  if (across(e, e1).segment == across(e, e2).segment) return std::nullopt;
+  if (complex.edges().across(e1).segment == complex.edges().across(e2).segment) return std::nullopt;
   const Eigen::Vector3d near = s.polygon->position(part.between.front());
-  part.line_before = line_across(e, s, e1, near);
-  part.line_after = line_across(e, s, e2, near);
+  part.line_before = line_across(complex, s, e1, near);
+  part.line_after = line_across(complex, s, e2, near);
   return part;
 }
 
 /// When finishing, a bay at the corner that chance alone leaves may be deeper than λ (rule `voids`), and a
 /// spur longer.
-bool gives_way(const Engine& e, const RingPart& part) {
+bool gives_way(const Setting& setting, const RingPart& part) {
   const geometry::Polygon& perimeter = part.segment->polygon->perimeter;
   double twice_area = 0, depth = 0;  // of what lies between P and the corner, on the right of P
   for (std::size_t i = 0; i + 1 < part.between.size(); ++i) {
@@ -64,16 +65,16 @@ bool gives_way(const Engine& e, const RingPart& part) {
     twice_area -= cross(p, q);
     depth = std::max(depth, std::sqrt(squared_length(q)));
   }
-  return twice_area > 0 ? empty_by_chance(e, *part.segment, twice_area / 2, part.between.size())
-                        : is_spur(e, twice_area / 2, depth);
+  return twice_area > 0 ? empty_by_chance(setting, *part.segment, twice_area / 2, part.between.size())
+                        : is_spur(setting, twice_area / 2, depth);
 }
 
 /// The conditions on one segment's lines, distances and directions; sets the corner.
-Refusal fit_corner(const Engine& e, RingPart& part, const SharingReach& reach) {
+Refusal fit_corner(const Complex& complex, RingPart& part, const SharingReach& reach) {
   const PolygonPart& polygon = *part.segment->polygon;
-  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
-  const auto corner =
-      common_point(part.line_before, segment_across(e, node_of(part, part.after).edge).polygon->plane());
+  const double lambda2 = complex.setting().lambda2;
+  const auto corner = common_point(part.line_before,
+                                   segment_across(complex, node_of(part, part.after).edge).polygon->plane());
   if (!corner) return Refusal::corner_far;
   part.corner = geometry::round_to_grid(polygon.chart.project(*corner));
   bool reached = false, far = false;
@@ -90,7 +91,7 @@ Refusal fit_corner(const Engine& e, RingPart& part, const SharingReach& reach) {
     reached = (p + t * d - *corner).squaredNorm() < lambda2;
   }
   if (!reached) return Refusal::corner_far;
-  if (far && !(reach.section > 1 && gives_way(e, part))) return Refusal::corner_bay;
+  if (far && !(reach.section > 1 && gives_way(complex.setting(), part))) return Refusal::corner_bay;
   // The directions along e₁ and e₂ stay.
   const Point2 u = polygon.perimeter.at(part.before), w = polygon.perimeter.end(part.after);
   const Point2 d1 = polygon.perimeter.end(part.before) - u, d2 = w - polygon.perimeter.at(part.after);
@@ -116,16 +117,14 @@ geometry::Edit edit_for(const RingPart& part) {
 }
 
 /// Do the copies of each edge of the ring still overlap, with corners that need not coincide?
-bool copies_overlap(const Engine& e, const std::vector<RingPart>& ring) {
+bool copies_overlap(const Complex& complex, const std::vector<RingPart>& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const RingPart &mine = ring[i], &next = ring[(i + 1) % ring.size()];
     const PolygonPart &a = *mine.segment->polygon, &b = *next.segment->polygon;
-    const Eigen::Vector3d corner_a = a.chart.at(mine.corner, a.published(mine.corner)),
-                          far_a = a.position(a.perimeter.next(mine.after)),
-                          corner_b = b.chart.at(next.corner, b.published(next.corner)),
-                          far_b = b.position(next.before);
+    const Eigen::Vector3d corner_a = a.at(mine.corner), far_a = a.position(a.perimeter.next(mine.after)),
+                          corner_b = b.at(next.corner), far_b = b.position(next.before);
     const Eigen::Vector3d along = far_a - corner_a;
-    const double least = kLeastSharedSteps * e.step * std::sqrt(along.dot(along));
+    const double least = kLeastSharedSteps * complex.setting().step * std::sqrt(along.dot(along));
     const double begin = std::max(0.0, along.dot(corner_b - corner_a)),
                  end = std::min(along.dot(along), along.dot(far_b - corner_a));
     if (end - begin < least) return false;
@@ -135,20 +134,20 @@ bool copies_overlap(const Engine& e, const std::vector<RingPart>& ring) {
 
 }  // namespace
 
-Ring ring_from(const Engine& e, const Segment& s, Slot first) {
+Ring ring_from(const Complex& complex, const Segment& s, Slot first) {
   Ring ring;
   const EdgeId start = s.polygon->perimeter.node(first).edge;
   const Segment* at = &s;
   Slot edge = first;
   for (;;) {
-    auto part = part_after(e, *at, edge);
+    auto part = part_after(complex, *at, edge);
     if (!part || ring.parts.size() == kMaxRing) return ring;
     const EdgeId last = node_of(*part, part->after).edge;
-    const SharedEdge& next = across(e, last);
-    const bool closes = e.shared.at(last.value).partner == start;
+    const EdgePlace& next = complex.edges().across(last);
+    const bool closes = complex.edges().at(last).partner == start;
     ring.parts.push_back(std::move(*part));
     if (closes) break;
-    at = &e.at(next.segment);
+    at = &complex.at(next.segment);
     edge = next.slot;
     if (std::any_of(ring.parts.begin(), ring.parts.end(), [&](const RingPart& p) { return p.segment == at; }))
       return ring;
@@ -157,17 +156,17 @@ Ring ring_from(const Engine& e, const Segment& s, Slot first) {
   return ring;
 }
 
-CornerEdits edits_for(const Engine& e, Ring& ring, const SharingReach& reach) {
+CornerEdits edits_for(const Complex& complex, Ring& ring, const SharingReach& reach) {
   if (!ring.closed) return {Refusal::ring_broken, false, {}};
   CornerEdits corner;
   corner.formed_already = true;
   for (RingPart& part : ring.parts) {
-    if (const Refusal refusal = fit_corner(e, part, reach); refusal != Refusal::none)
+    if (const Refusal refusal = fit_corner(complex, part, reach); refusal != Refusal::none)
       return {refusal, false, {}};
     corner.formed_already &= formed_already(part);
   }
   if (corner.formed_already) return corner;
-  if (!copies_overlap(e, ring.parts)) return {Refusal::corner_turns, false, {}};
+  if (!copies_overlap(complex, ring.parts)) return {Refusal::corner_turns, false, {}};
   for (const RingPart& part : ring.parts) {
     corner.edits.push_back(edit_for(part));
     if (part.segment->polygon->perimeter.judge(corner.edits.back()) != geometry::Verdict::valid)

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "corners_internal.hpp"
+#include "sharing_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -12,41 +13,42 @@ namespace {
 using geometry::EdgeId;
 
 /// Forms the corner, if it can be and is not there already.
-bool form_corner(Engine& e, Ring& ring) {
-  const CornerEdits corner = edits_for(e, ring, e.sharing);
+bool form_corner(Complex& complex, Ring& ring, const SharingReach& reach) {
+  CornerEdits corner = edits_for(complex, ring, reach);
   if (corner.refusal != Refusal::none || corner.formed_already) return false;
   const auto& parts = ring.parts;
-  Change formed{Change::Kind::corner_formed, parts[0].segment->id, parts[1].segment->id, {}, {}};
+  Transaction transaction;
+  std::vector<EdgeId> edges;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    geometry::Polygon& perimeter = e.at(parts[i].segment->slot).polygon->perimeter;
-    perimeter.commit(corner.edits[i], e.edge_ids);
-    formed.edges.push_back(perimeter.node(parts[i].before).edge);
+    transaction.edits.emplace_back(parts[i].segment->slot, std::move(corner.edits[i]));
+    edges.push_back(parts[i].segment->polygon->perimeter.node(parts[i].before).edge);
   }
-  for (const RingPart& part : parts) perimeter_changed(e, e.at(part.segment->slot));
-  e.changes.push_back(std::move(formed));
+  complex.commit_judged(transaction);
+  complex.tell_corner(*parts[0].segment, *parts[1].segment, std::move(edges));
   return true;
 }
 
-bool form_corners(Engine& e, Segment& s) {
+bool form_corners(Complex& complex, Agenda& agenda, const Segment& s) {
   bool any = false;
-  const std::vector<EdgeId> edges = std::exchange(s.polygon->corners_due, {});
+  const std::vector<EdgeId> edges = std::exchange(agenda.polygon(s.slot).corners_due, {});
   for (const EdgeId edge : edges) {
-    const auto entry = e.shared.find(edge.value);
-    if (entry == e.shared.end() || entry->second.segment != s.slot) continue;
-    Ring ring = ring_from(e, s, entry->second.slot);
-    any |= form_corner(e, ring);
+    const EdgePlace* place = complex.edges().find(edge);
+    if (!place || !place->partner || place->segment != s.slot) continue;
+    Ring ring = ring_from(complex, s, place->slot);
+    any |= form_corner(complex, ring, agenda.sharing);
   }
   return any;
 }
 
 }  // namespace
 
-bool form_corners_of_modified(Engine& e) {
-  const Turn turn =
-      polygons_of(e, e.modified, [](const PolygonPart& part) { return !part.corners_due.empty(); });
+bool form_corners_of_modified(Complex& complex, Agenda& agenda) {
+  const Turn turn = polygons_of(complex, agenda.modified(), [&](const Segment& s) {
+    return !agenda.polygon(s.slot).corners_due.empty();
+  });
   bool any = false;
   for (const auto& [id, slot] : turn)
-    if (Segment* s = e.find(id, slot)) any |= form_corners(e, *s);
+    if (const Segment* s = complex.find(id, slot)) any |= form_corners(complex, agenda, *s);
   return any;
 }
 

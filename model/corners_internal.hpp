@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common_line_internal.hpp"
-#include "engine_internal.hpp"
+#include "complex_internal.hpp"
 
 namespace limpet::model::internal {
 
@@ -26,7 +26,7 @@ struct Ring {
 
 /// The ring of §2.7, starting with e₁ of s: f₁ is e₂'s copy on the next segment, and so on back to e₁. Not
 /// closed if it does not come back over distinct segments; then the parts are those it came through.
-Ring ring_from(const Engine&, const Segment& s, geometry::Slot first);
+Ring ring_from(const Complex&, const Segment& s, geometry::Slot first);
 
 /// The changes of all perimeters that form the corner, one for each part of the ring, all of them judged; or
 /// what refuses it.
@@ -35,6 +35,6 @@ struct CornerEdits {
   bool formed_already = false;
   std::vector<geometry::Edit> edits;
 };
-CornerEdits edits_for(const Engine&, Ring&, const SharingReach&);
+CornerEdits edits_for(const Complex&, Ring&, const SharingReach&);
 
 }  // namespace limpet::model::internal

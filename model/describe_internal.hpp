@@ -4,10 +4,9 @@
 #include <limpet/geometry/polygon.hpp>
 
 #include "archive_internal.hpp"
-#include "engine_internal.hpp"
+#include "storage_internal.hpp"
 
-/// What the parts of an Engine consist of, for an Archive (Writer or Reader). What can be made from the rest
-/// is left out: Segment::slot and PolygonPart::shared.
+/// What the parts of an Engine consist of, for an archive (Writer or Reader).
 namespace limpet::model::internal {
 
 /// A class that is taken apart into plain data, and put together from it.
@@ -76,23 +75,25 @@ void describe(auto& archive, Is<Places> auto& places) {
       archive, places, [](const auto& p) { return p.boxes(); },
       [](std::vector<Box3> boxes) { return Places::of_boxes(std::move(boxes)); });
 }
-void describe(auto& archive, Is<Relief::Sum> auto& sum) { archive(sum.count, sum.x, sum.y, sum.height); }
-void describe(auto& archive, Is<Relief> auto& relief) {
+void describe(auto& archive, Is<HeightMap::Sum> auto& sum) { archive(sum.count, sum.x, sum.y, sum.height); }
+void describe(auto& archive, Is<HeightMap> auto& map) {
   describe_taken_apart(
-      archive, relief, [](const auto& r) { return r.keyed_squares(); },
-      [](const auto& squares) { return Relief::of_squares(squares); });
+      archive, map, [](const auto& m) { return m.keyed_squares(); },
+      [](const auto& squares) { return HeightMap::of_squares(squares); });
 }
+void describe(auto& archive, Is<SegmentData> auto& data) { Storage::describe_data(archive, data); }
 void describe(auto& archive, Is<PolygonPart> auto& p) {
-  archive(p.chart, p.perimeter, p.published, p.outward, p.initial, p.box, p.relief, p.changed, p.stale,
-          p.counted_area, p.shape, p.fresh, p.unshared, p.next_share, p.shared_later, p.corners_due);
+  archive(p.chart, p.perimeter, p.published, p.outward, p.initial, p.box, p.heights, p.stale, p.counted_area,
+          p.shape);
 }
 void describe(auto& archive, Is<Segment> auto& s) {
-  archive(s.id, s.fit, s.moments, s.axis_sum, s.variance_sum, s.next_fit, s.raw, s.seen, s.since_sum,
-          s.last_joined, s.indexed, s.indexed_as_polygon, s.modified, s.polygon);
+  archive(s.id, s.fit, s.data, s.next_fit, s.indexed, s.indexed_as_polygon, s.polygon);
 }
-void describe(auto& archive, Is<SharedEdge> auto& s) { archive(s.segment, s.slot, s.partner); }
+void describe(auto& archive, Is<PolygonDue> auto& due) {
+  archive(due.changed, due.unshared, due.fresh, due.corners_due, due.next_share, due.shared_later);
+}
 void describe(auto& archive, Is<Counts> auto& c) {  // those that are not counted anew each time
-  archive(c.points, c.refused, c.expired, c.sets, c.redundant_by_count, c.redundant_by_position);
+  archive(c.refused, c.expired, c.sets, c.redundant_by_count, c.redundant_by_position);
 }
 void describe(auto& archive, Is<Parameters> auto& p) {
   archive(p.resolution, p.angle_rad, p.noise, p.noise_per_range, p.noise_per_range2, p.input_quantum,
@@ -108,11 +109,11 @@ void describe(auto& archive, Is<Parameters> auto& p) {
       });
 }
 
-/// All of an engine that lasts between two calls, but for its parameters and what state.cpp makes anew.
+/// All of an engine that lasts between two calls, but for its parameters and what state.cpp stores by itself.
 void describe(auto& archive, Is<Engine> auto& e) {
-  archive(e.edge_ids, e.next_segment, e.segments, e.free_slots, e.modelled_area, e.modelled_points, e.counts,
-          e.modified, e.to_share, e.share_later, e.looks_due, e.last_look, e.looked_at, e.pending,
-          e.redundant, e.disordered, e.ends_due, e.labels_kept);
+  archive(e.counts);
+  Storage::describe_complex(archive, e.complex);
+  Storage::describe_agenda(archive, e.agenda);
 }
 
 }  // namespace limpet::model::internal

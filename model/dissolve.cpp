@@ -3,130 +3,160 @@
 // A young segment whose points mostly belong to a mature neighbour (a sliver across an edge, say) is
 // dissolved, and its points find their segments again.
 #include <algorithm>
-#include <cassert>
 
-#include "engine_internal.hpp"
+#include "dissolve_internal.hpp"
+#include "promotion_internal.hpp"
+#include "standing_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
 
-Box3 box_of(const Engine& e, std::span<const RawPoint> points) {
+Box3 box_of(const Setting& setting, std::span<const RawPoint> points) {
   Box3 box;
-  for (const RawPoint& raw : points) box.extend(e.world(raw.at));
+  for (const RawPoint& raw : points) box.extend(setting.world(raw.at));
   return box;
 }
 
-/// Mature polygons that points of a segment may fit.
-void find_mature_polygons(Engine& e, const Box3& around, std::vector<const Segment*>& result) {
-  result.clear();
-  e.polygons.query(around, e.found);
-  for (const std::uint32_t slot : e.found)
-    if (const Segment& other = e.at(slot); other.mature_polygon()) result.push_back(&other);
-}
-
-bool fits(const Engine& e, const RawPoint& raw, const Segment& polygon) {
-  const Eigen::Vector3d p = e.world(raw.at);
+bool fits(const Setting& setting, const RawPoint& raw, const Segment& polygon) {
+  const Eigen::Vector3d p = setting.world(raw.at);
   if (!polygon.indexed.contains(p)) return false;
   const double h = polygon.fit.height_of(p);
-  return h * h <= residual_limit(e, polygon, p, raw.variance) &&
-         standing(e, polygon, p, raw.axis, h * h, raw.variance).near;
+  return h * h <= residual_limit(setting, polygon, p, raw.variance) &&
+         standing(setting, polygon, p, raw.axis, h * h, raw.variance).near;
 }
 
 /// Does a point of the young segment that lies within λ of where the polygon has changed fit it now?
-bool fits_where_changed(const Engine& e, const Segment& young, const Segment& polygon) {
-  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
-  return std::any_of(young.raw.begin(), young.raw.end(), [&](const RawPoint& raw) {
-    const Eigen::Vector3d p = e.world(raw.at);
+bool fits_where_changed(const Setting& setting, const Segment& young, const Segment& polygon,
+                        const Places& changed) {
+  const auto& raw_points = young.data.raw();
+  return std::any_of(raw_points.begin(), raw_points.end(), [&](const RawPoint& raw) {
+    const Eigen::Vector3d p = setting.world(raw.at);
     const double height = polygon.fit.height_of(p);
-    if (height * height >= lambda2) return false;
-    const auto& places = polygon.polygon->changed.boxes();
-    return std::any_of(places.begin(), places.end(),
-                       [&](const Box3& place) { return place.squaredExteriorDistance(p) < lambda2; }) &&
-           fits(e, raw, polygon);
+    if (height * height >= setting.lambda2) return false;
+    const auto& places = changed.boxes();
+    return std::any_of(
+               places.begin(), places.end(),
+               [&](const Box3& place) { return place.squaredExteriorDistance(p) < setting.lambda2; }) &&
+           fits(setting, raw, polygon);
   });
 }
 
-/// Do a fifth of the points fit mature neighbours? Asked only when one that has not been looked at does.
-bool mostly_fits_neighbours(Engine& e, Segment& s) {
-  static thread_local std::vector<const Segment*> polygons;
-  const auto fits_one = [&](const RawPoint& raw) {
-    return std::any_of(polygons.begin(), polygons.end(), [&](auto* p) { return fits(e, raw, *p); });
-  };
-  const std::span<const RawPoint> all(s.raw), unseen = all.subspan(std::min(s.seen, all.size()));
-  s.seen = all.size();
-  if (unseen.empty()) return false;
-  find_mature_polygons(e, box_of(e, unseen), polygons);
-  if (std::none_of(unseen.begin(), unseen.end(), fits_one)) return false;
-  find_mature_polygons(e, box_of(e, all), polygons);
-  std::size_t fitting = 0;
-  for (const RawPoint& raw : all) {
-    if (raw.returned >= kMaxReturns) return false;
-    fitting += fits_one(raw);
+/// Looks for young segments whose points belong to mature polygons.
+class Misfits {
+ public:
+  Misfits(const Complex& complex, Agenda& agenda) : complex_(complex), agenda_(agenda) {}
+
+  /// Young polygons that were modified, and all young segments near where a mature polygon's description
+  /// changed, by identity. The points of point segments have been tried on all polygons when they came.
+  Turn to_look_at() {
+    Turn look;
+    for (const std::uint32_t slot : agenda_.modified()) {
+      const Segment* s = complex_.in_slot(slot);
+      if (!s) continue;
+      if (s->polygon && s->young()) look.emplace_back(s->id, slot);
+      if (s->mature_polygon() && !agenda_.polygon(slot).changed.empty()) add_young_near(*s, look);
+    }
+    std::sort(look.begin(), look.end());
+    look.erase(std::unique(look.begin(), look.end()), look.end());
+    return look;
   }
-  return 5 * fitting >= all.size();
-}
 
-/// A young polygon is looked at once more before it becomes mature.
-bool came_too_slowly(const Engine& e, const Segment& s, std::int64_t from_count) {
-  return e.rules().arrival && s.polygon && s.moments.count() >= from_count &&
-         too_few_arrived(e, s.fit, s.since_sum);
-}
-
-}  // namespace
-
-void release_slow_polygons(Engine& e) {
-  std::vector<std::pair<SegmentId, std::uint32_t>> slow;
-  for (const auto& s : e.segments)
-    if (s && s->young() && came_too_slowly(e, *s, 0)) slow.emplace_back(s->id, s->slot);
-  std::sort(slow.begin(), slow.end());
-  for (const auto& [id, slot] : slow) {
-    if (Segment* s = e.find(id, slot)) release_points(e, *s, false);
-    insert_pending(e);
+  /// Does a fifth of the points fit mature neighbours? Asked only when one that has not been looked at does.
+  bool mostly_fits_neighbours(const Segment& s) {
+    const auto fits_one = [&](const RawPoint& raw) {
+      return std::any_of(polygons_.begin(), polygons_.end(),
+                         [&](auto* polygon) { return fits(complex_.setting(), raw, *polygon); });
+    };
+    const std::span<const RawPoint> all(s.data.raw());
+    const std::size_t seen = std::exchange(agenda_.seen(s.slot), all.size());
+    const auto unseen = all.subspan(std::min(seen, all.size()));
+    if (unseen.empty()) return false;
+    find_mature_polygons(box_of(complex_.setting(), unseen));
+    if (std::none_of(unseen.begin(), unseen.end(), fits_one)) return false;
+    find_mature_polygons(box_of(complex_.setting(), all));
+    std::size_t fitting = 0;
+    for (const RawPoint& raw : all) {
+      if (raw.returned >= kMaxReturns) return false;
+      fitting += fits_one(raw);
+    }
+    return kFittingShare * fitting >= all.size();
   }
-}
 
-void release_points(Engine& e, Segment& s, bool count_return) {
-  assert(static_cast<std::int64_t>(s.raw.size()) == s.moments.count());
-  for (RawPoint raw : s.raw) {
-    raw.returned += count_return;
-    e.pending.push_back(raw);
-  }
-  if (s.polygon) dissolve_all_neighbours(e, s);  // first, so that the changes are in order
-  e.changes.push_back({Change::Kind::deleted, s.id, {}, {}, {}});
-  erase_segment(e, s);
-}
-
-bool dissolve_young(Engine& e) {
-  if (!e.rules().dissolve) return false;
-  // Young polygons that were modified, and all young segments near where a mature polygon's description
-  // changed. The points of point segments have been tried on all polygons when they came.
-  std::vector<std::pair<SegmentId, std::uint32_t>> look;
-  for (const std::uint32_t slot : e.modified) {
-    if (!e.segments[slot]) continue;
-    const Segment& s = e.at(slot);
-    if (s.polygon && s.young()) look.emplace_back(s.id, slot);
-    if (!s.mature_polygon() || s.polygon->changed.empty()) continue;
-    for (const SpatialIndex* index : {&e.polygons, &e.points}) {
-      query(*index, s.polygon->changed, e.found);
-      for (const std::uint32_t near : e.found)
-        if (Segment& young = e.at(near); young.young() && fits_where_changed(e, young, s)) {
-          young.seen = 0;
+ private:
+  void add_young_near(const Segment& polygon, Turn& look) {
+    const Places& changed = agenda_.polygon(polygon.slot).changed;
+    for (const SpatialIndex* index : {&complex_.polygons(), &complex_.points()}) {
+      query(*index, changed, found_);
+      for (const std::uint32_t near : found_)
+        if (const Segment& young = complex_.at(near);
+            young.young() && fits_where_changed(complex_.setting(), young, polygon, changed)) {
+          agenda_.seen(near) = 0;
           look.emplace_back(young.id, near);
         }
     }
   }
-  std::sort(look.begin(), look.end());
-  look.erase(std::unique(look.begin(), look.end()), look.end());
+
+  /// Mature polygons that points in this box may fit.
+  void find_mature_polygons(const Box3& around) {
+    polygons_.clear();
+    complex_.polygons().query(around, found_);
+    for (const std::uint32_t slot : found_)
+      if (const Segment& other = complex_.at(slot); other.mature_polygon()) polygons_.push_back(&other);
+  }
+
+  const Complex& complex_;
+  Agenda& agenda_;
+  std::vector<const Segment*> polygons_;
+  std::vector<std::uint32_t> found_;
+};
+
+/// A young polygon is looked at once more before it becomes mature.
+bool came_too_slowly(const Complex& complex, const Segment& s, std::int64_t from_count) {
+  return complex.rules().arrival && s.polygon && s.count() >= from_count &&
+         too_few_arrived(complex, s.fit, s.data.sums().since);
+}
+
+}  // namespace
+
+void release_slow_polygons(Complex& complex, Insertion& insertion) {
+  Turn slow;
+  complex.segments().for_each([&](const Segment& s) {
+    if (s.young() && came_too_slowly(complex, s, 0)) slow.emplace_back(s.id, s.slot);
+  });
+  std::sort(slow.begin(), slow.end());
+  for (const auto& [id, slot] : slow) {
+    if (const Segment* s = complex.find(id, slot)) release_points(complex, insertion.pending(), *s, false);
+    insertion.insert_pending();
+  }
+}
+
+void release_all_point_segments(Complex& complex, Insertion& insertion) {
+  std::vector<SegmentId> ids;
+  complex.segments().for_each([&](const Segment& s) {
+    if (!s.polygon && s.young()) ids.push_back(s.id);
+  });
+  std::sort(ids.begin(), ids.end());
+  for (const SegmentId id : ids) {
+    const Segment* s = complex.find(id);
+    if (!s || s->polygon || !s->young()) continue;  // a point released before may have made it a polygon
+    release_points(complex, insertion.pending(), *s, false);
+    insertion.insert_pending();
+  }
+}
+
+bool dissolve_young(Complex& complex, Agenda& agenda, Insertion& insertion) {
+  if (!complex.rules().dissolve) return false;
+  Misfits misfits(complex, agenda);
   bool any = false;
-  for (const auto& [id, slot] : look) {
-    Segment* s = e.find(id, slot);
+  for (const auto& [id, slot] : misfits.to_look_at()) {
+    const Segment* s = complex.find(id, slot);
     if (!s) continue;
-    const bool slow = came_too_slowly(e, *s, kYoung * 3 / 4);
-    if (!slow && !mostly_fits_neighbours(e, *s)) continue;
-    release_points(e, *s, !slow);
+    const bool slow = came_too_slowly(complex, *s, kYoung * 3 / 4);
+    if (!slow && !misfits.mostly_fits_neighbours(*s)) continue;
+    release_points(complex, insertion.pending(), *s, !slow);
     any = true;
   }
-  insert_pending(e);
+  insertion.insert_pending();
   return any;
 }
 

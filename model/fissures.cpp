@@ -5,29 +5,32 @@
 
 #include <limpet/geometry/fissure.hpp>
 
-#include "engine_internal.hpp"
+#include "fissures_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
 
-bool fill(Engine& e, Segment& s) {
-  PolygonPart& part = *s.polygon;
-  if (part.fresh.empty()) return false;
-  const auto fresh = std::exchange(part.fresh, {});
-  const Places where = places_of(part, fresh);
-  if (geometry::fill_fissures(part.perimeter, fresh, e.gap, e.edge_ids, e.rules().holes) == 0) return false;
-  if (auto removed = part.perimeter.take_removed(); !removed.empty())
-    e.changes.push_back({Change::Kind::edges_removed, {}, {}, s.id, std::move(removed)});
-  description_changed(e, s, where);  // other segments may be nearer now
+bool fill(Complex& complex, Agenda& agenda, const Segment& s) {
+  const PlacedEdges fresh = std::exchange(agenda.polygon(s.slot).fresh, {});
+  if (fresh.empty()) return false;
+  const Places where = places_of(*s.polygon, fresh);
+  auto [filled, difference] =
+      complex.change_perimeter(s, true, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
+        return geometry::fill_fissures(perimeter, fresh, complex.setting().gap, ids, complex.rules().holes);
+      });
+  if (filled == 0) return false;
+  complex.tell(s, std::move(difference));
+  complex.description_changed(s, where);  // other segments may be nearer now
   return true;
 }
 
 }  // namespace
 
-bool fill_modified(Engine& e) {
+bool fill_modified(Complex& complex, Agenda& agenda) {
   bool any = false;
-  for (const std::uint32_t slot : e.modified)
-    if (e.segments[slot] && e.segments[slot]->polygon && !e.at(slot).initial()) any |= fill(e, e.at(slot));
+  for (const std::uint32_t slot : std::vector<std::uint32_t>(agenda.modified()))
+    if (const Segment* s = complex.in_slot(slot); s && s->polygon && !s->initial())
+      any |= fill(complex, agenda, *s);
   return any;
 }
 

@@ -6,7 +6,7 @@
 
 #include <limpet/geometry/predicates.hpp>
 
-#include "engine_internal.hpp"
+#include "initial_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -25,7 +25,7 @@ Eigen::Vector3d area_vector(const std::vector<Eigen::Vector3d>& cycle) {
 
 }  // namespace
 
-void add_initial(Engine& e, std::size_t number, const InitialFace& face) {
+void add_initial(Complex& complex, std::size_t number, const InitialFace& face) {
   if (face.cycles.empty() || face.cycles.front().size() < 3) refuse(number, "has fewer than three vertices");
   const auto& outer = face.cycles.front();
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), normal = area_vector(outer);
@@ -36,7 +36,7 @@ void add_initial(Engine& e, std::size_t number, const InitialFace& face) {
 
   auto polygon = std::make_unique<PolygonPart>();
   PolygonPart& part = *polygon;
-  part.chart = geometry::Chart({centre, normal}, outer[1] - outer[0], e.step);
+  part.chart = geometry::Chart({centre, normal}, outer[1] - outer[0], complex.setting().step);
   part.published = geometry::Lift(part.chart, {centre, normal});
   part.outward = normal;
   part.initial = {centre, normal};
@@ -46,19 +46,12 @@ void add_initial(Engine& e, std::size_t number, const InitialFace& face) {
     for (const Eigen::Vector3d& v : cycle)
       vertices.push_back({geometry::round_to_grid(part.chart.project(v))});
   }
-  auto perimeter = geometry::Polygon::from_cycles(cycles, e.edge_ids);
+  auto perimeter = geometry::Polygon::from_cycles(cycles, complex.edge_ids());
   if (!perimeter) refuse(number, "is no simple polygon at this resolution");
   part.perimeter = std::move(*perimeter);
-  part.perimeter.take_created();
-  part.box = perimeter_box(part);
-
-  Segment& segment = new_segment(e);
-  segment.fit.centroid = centre, segment.fit.normal = normal;
-  segment.polygon = std::move(polygon);
-  e.changes.push_back({Change::Kind::created, {}, {}, segment.id, {}});
-  e.changes.push_back({Change::Kind::became_polygon, {}, {}, segment.id, {}});
-  update_index(e, segment);
-  description_changed(e, segment, segment.polygon->box);
+  Fit fit;
+  fit.centroid = centre, fit.normal = normal;
+  complex.create_initial(fit, std::move(polygon));
 }
 
 }  // namespace limpet::model::internal

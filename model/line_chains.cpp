@@ -17,15 +17,16 @@ using geometry::Slot;
 
 class ChainWalk {
  public:
-  ChainWalk(const Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
-            const LineWindow& window, double reach)
-      : e_(e),
+  ChainWalk(const Complex& complex, const Segment& a, const Segment& b, const CommonLine& line,
+            const LineWindow& window, const SharingReach& reach)
+      : complex_(complex),
         part_(*a.polygon),
         other_(b.slot),
         line_(line),
-        view_(e, *a.polygon, line),
+        view_(complex.setting(), *a.polygon, line),
         window_(window),
-        reach_(reach) {}
+        reach_(reach.section * complex.setting().lambda),
+        from_shared_(reach.from_shared) {}
 
   std::vector<LineChain> all() {
     std::vector<LineChain> chains;
@@ -41,7 +42,7 @@ class ChainWalk {
   /// May the chain go on along this edge?
   bool passable(Slot s) const {
     const auto& node = part_.perimeter.node(s);
-    return !node.shared || across(e_, node.edge).segment == other_;
+    return !node.shared || complex_.edges().across(node.edge).segment == other_;
   }
 
   /// Edges in the window that come near the line, by identity.
@@ -50,7 +51,8 @@ class ChainWalk {
     const Point2 across_window =
         part_.chart.project(line_.at(window_.end)) - part_.chart.project(line_.at(window_.begin));
     // So many boxes along the line, each with the reach around it, have the smallest area together.
-    const double best = std::sqrt(std::abs(across_window.x * across_window.y)) * e_.step / (2 * reach_);
+    const double best =
+        std::sqrt(std::abs(across_window.x * across_window.y)) * complex_.setting().step / (2 * reach_);
     const auto pieces = static_cast<int>(std::clamp(std::round(best), 1.0, 4096.0));
     for (int i = 0; i < pieces; ++i) {
       const double from = window_.begin + (window_.end - window_.begin) * i / pieces,
@@ -58,10 +60,10 @@ class ChainWalk {
       geometry::Box2 box;
       box.add(part_.chart.project(line_.at(from)));
       box.add(part_.chart.project(line_.at(to)));
-      part_.perimeter.any_edge_near(box.grown(reach_ / e_.step), [&](Slot s) {
+      part_.perimeter.any_edge_near(box.grown(reach_ / complex_.setting().step), [&](Slot s) {
         // Shared edges come into chains from the open ones beside them; to be joined with others they need no
         // open one, but that can wait for the end.
-        if (part_.perimeter.node(s).shared && !(e_.finishing && passable(s))) return false;
+        if (part_.perimeter.node(s).shared && !(from_shared_ && passable(s))) return false;
         const Station u = station(s), v = station(part_.perimeter.next(s));
         const bool beside = near(u) || near(v) || (u.offset < 0) != (v.offset < 0);
         if (beside && std::min(u.place, v.place) < window_.end && std::max(u.place, v.place) > window_.begin)
@@ -111,13 +113,14 @@ class ChainWalk {
     return {{stations.begin(), stations.end()}, {edges.begin(), edges.end()}};
   }
 
-  const Engine& e_;
+  const Complex& complex_;
   const PolygonPart& part_;
   std::uint32_t other_;
   const CommonLine& line_;
   LineView view_;
   LineWindow window_;
-  double reach_;
+  double reach_;  ///< scan's unit
+  bool from_shared_;
   std::unordered_set<std::uint32_t> visited_;
 };
 
@@ -153,31 +156,32 @@ bool clip(LineWindow& window, const CommonLine& line, const Box3& box) {
   return window.begin < window.end;
 }
 
-std::optional<LineBetween> line_between(const Engine& e, const PolygonPart& a, const PolygonPart& b) {
+std::optional<LineBetween> line_between(const Setting& setting, const PolygonPart& a, const PolygonPart& b) {
   const geometry::Plane pa = a.plane(), pb = b.plane();
-  if (pa.normal.dot(pb.normal) >= e.cos_angle) return std::nullopt;
+  if (pa.normal.dot(pb.normal) >= setting.cos_angle) return std::nullopt;
   const Box3 both(a.box.min().cwiseMax(b.box.min()), a.box.max().cwiseMin(b.box.max()));
   const auto line = common_line(pa, pb, (both.min() + both.max()) / 2);
   if (!line) return std::nullopt;
   constexpr double kFar = std::numeric_limits<double>::max() / 4;
   LineWindow window{-kFar, kFar};
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(e.parameters.resolution);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(setting.lambda);
   for (const PolygonPart* part : {&a, &b})
     if (!clip(window, *line, Box3(part->box.min() - reach, part->box.max() + reach))) return std::nullopt;
   return LineBetween{*line, window};
 }
 
-std::vector<LineChain> line_chains(const Engine& e, const Segment& a, const Segment& b,
-                                   const CommonLine& line, const LineWindow& window, double reach) {
-  return ChainWalk(e, a, b, line, window, reach).all();
+std::vector<LineChain> line_chains(const Complex& complex, const Segment& a, const Segment& b,
+                                   const CommonLine& line, const LineWindow& window,
+                                   const SharingReach& reach) {
+  return ChainWalk(complex, a, b, line, window, reach).all();
 }
 
-Concavity concavity_of(const Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
+Concavity concavity_of(const Complex& complex, const Segment& a, const Segment& b, const CommonLine& line,
                        const std::vector<LineChain>& chains_a, const std::vector<LineChain>& chains_b) {
-  if (const auto shared = edges_between(e, a, b); !shared.empty()) {
+  if (const auto shared = complex.edges_between(a, b); !shared.empty()) {
     const geometry::EdgeId edge =
-        a.slot < b.slot ? shared.front() : e.shared.at(shared.front().value).partner;
-    const Slot s = e.shared.at(edge.value).slot;
+        a.slot < b.slot ? shared.front() : complex.edges().at(shared.front()).partner;
+    const Slot s = complex.edges().at(edge).slot;
     const bool forward = line.place_of(a.polygon->position(s)) <
                          line.place_of(a.polygon->position(a.polygon->perimeter.next(s)));
     return forward ? Concavity::convex : Concavity::concave;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common_line_internal.hpp"
-#include "engine_internal.hpp"
+#include "complex_internal.hpp"
 
 namespace limpet::model::internal {
 
@@ -16,8 +16,9 @@ struct Station {
   geometry::Slot vertex = geometry::kNoSlot;  ///< none: a point on the edge before or behind it
 };
 
-/// A stretch of perimeter that lies within λ of a common line and on which the only shared edges are those of
-/// the two segments (thesis §2.6): stations one after the other, and the edges from each to the next.
+/// A stretch of perimeter that lies within reach of a common line and on which the only shared edges are
+/// those of the two segments (thesis §2.6): stations one after the other, and the edges from each to the
+/// next.
 struct LineChain {
   std::vector<Station> stations;
   std::vector<geometry::Slot> edges;  ///< one less than the stations
@@ -26,10 +27,10 @@ struct LineChain {
 /// A polygon's vertices as they lie along a common line. The same vertex gives the same numbers every time.
 class LineView {
  public:
-  LineView(const Engine& e, const PolygonPart& part, const CommonLine& line)
+  LineView(const Setting& setting, const PolygonPart& part, const CommonLine& line)
       : perimeter_(part.perimeter),
-        place_(affine(e, part, line, line.along)),
-        offset_(affine(e, part, line, part.plane().normal.cross(line.along))) {}
+        place_(affine(setting, part, line, line.along)),
+        offset_(affine(setting, part, line, part.plane().normal.cross(line.along))) {}
 
   Station station(geometry::Slot s) const {
     const geometry::Point2 p = perimeter_.at(s);
@@ -42,12 +43,12 @@ class LineView {
     double c0, cx, cy;
     double operator()(geometry::Point2 p) const { return c0 + cx * p.x + cy * p.y; }
   };
-  static Affine affine(const Engine& e, const PolygonPart& part, const CommonLine& line,
+  static Affine affine(const Setting& setting, const PolygonPart& part, const CommonLine& line,
                        const Eigen::Vector3d& direction) {
     const geometry::Chart& chart = part.chart;
     return {direction.dot(chart.at({0, 0}, part.published.h0) - line.origin),
-            e.step * direction.dot(chart.u() + part.published.hx * chart.normal()),
-            e.step * direction.dot(chart.v() + part.published.hy * chart.normal())};
+            setting.step * direction.dot(chart.u() + part.published.hx * chart.normal()),
+            setting.step * direction.dot(chart.v() + part.published.hy * chart.normal())};
   }
 
   const geometry::Polygon& perimeter_;
@@ -68,19 +69,18 @@ struct LineBetween {
   CommonLine line;
   LineWindow window;
 };
-std::optional<LineBetween> line_between(const Engine&, const PolygonPart& a, const PolygonPart& b);
+std::optional<LineBetween> line_between(const Setting&, const PolygonPart& a, const PolygonPart& b);
 
 /// All chains of `a` along its line with `b` that come into the window, in its perimeter's direction.
-/// `reach`, scan's unit, is how far they may be from the line.
-std::vector<LineChain> line_chains(const Engine&, const Segment& a, const Segment& b, const CommonLine&,
-                                   const LineWindow&, double reach);
+std::vector<LineChain> line_chains(const Complex&, const Segment& a, const Segment& b, const CommonLine&,
+                                   const LineWindow&, const SharingReach&);
 
 /// Convex or concave, where `a` comes first in the line's n₁ × n₂ (thesis §2.6.1).
 enum class Concavity { undecided, convex, concave };
 
 /// That of neighbours is the one of any edge they share; else it is decided by the edges that lie opposite to
 /// each other along the line.
-Concavity concavity_of(const Engine&, const Segment& a, const Segment& b, const CommonLine&,
+Concavity concavity_of(const Complex&, const Segment& a, const Segment& b, const CommonLine&,
                        const std::vector<LineChain>& chains_a, const std::vector<LineChain>& chains_b);
 
 }  // namespace limpet::model::internal

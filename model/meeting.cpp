@@ -5,7 +5,7 @@
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/geometry/search.hpp>
 
-#include "engine_internal.hpp"
+#include "merging_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -34,33 +34,34 @@ geometry::Box2 seen_in(const geometry::Chart& chart, const Box3& box) {
 }
 
 /// Has a, in this box, an edge within the gap of b or in it?
-bool edge_meets(const Engine& e, const PolygonPart& a, const geometry::Box2& box, const PolygonPart& b) {
+bool edge_meets(const Setting& setting, const PolygonPart& a, const geometry::Box2& box,
+                const PolygonPart& b) {
   return a.perimeter.any_edge_near(box, [&](geometry::Slot s) {
     const geometry::Point2 p = in_chart(b, a, s), q = in_chart(b, a, a.perimeter.next(s));
-    return geometry::any_edge_within(b.perimeter, p, q, e.gap + 2) || holds(b, p);
+    return geometry::any_edge_within(b.perimeter, p, q, setting.gap + 2) || holds(b, p);
   });
 }
 
 }  // namespace
 
-bool may_meet_where_changed(const Engine& e, const Segment& s, const Segment& other) {
+bool may_meet_where_changed(const Setting& setting, const Segment& s, const Places& changed,
+                            const Segment& other) {
   const PolygonPart &a = *s.polygon, &b = *other.polygon;
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(e.parameters.resolution);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(setting.lambda);
   const Box3 around(b.box.min() - reach, b.box.max() + reach);
-  const bool near = std::any_of(a.changed.boxes().begin(), a.changed.boxes().end(), [&](const Box3& place) {
+  const bool near = std::any_of(changed.boxes().begin(), changed.boxes().end(), [&](const Box3& place) {
     const Box3 both = place.intersection(around);
-    return !both.isEmpty() && edge_meets(e, a, seen_in(a.chart, both).grown(2), b);
+    return !both.isEmpty() && edge_meets(setting, a, seen_in(a.chart, both).grown(2), b);
   });
   return near || holds(a, in_chart(a, b, some_vertex(b.perimeter)));
 }
 
-bool lies_near(const Engine& e, const PolygonPart& part, const Eigen::Vector3d& p) {
-  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
+bool lies_near(const Setting& setting, const PolygonPart& part, const Eigen::Vector3d& p) {
   const double height = part.plane().height_of(p);
-  if (height * height >= lambda2) return false;
+  if (height * height >= setting.lambda2) return false;
   const geometry::Point2 q = geometry::round_to_grid(part.chart.project(p));
   if (part.perimeter.locate(q) != geometry::Polygon::Side::outside) return true;
-  const double left = std::sqrt((lambda2 - height * height) / lambda2) * e.gap;
+  const double left = std::sqrt((setting.lambda2 - height * height) / setting.lambda2) * setting.gap;
   return geometry::nearest_perimeter_point(part.perimeter, q, left).has_value();
 }
 

@@ -2,6 +2,10 @@
 #include <limpet/model/model.hpp>
 
 #include "engine_internal.hpp"
+#include "open_edges_internal.hpp"
+#include "record_internal.hpp"
+#include "state_internal.hpp"
+#include "would_finish_internal.hpp"
 
 namespace limpet::model {
 namespace {
@@ -23,75 +27,90 @@ Parameters parameters_of(const ModelRecord& r) {
 
 }  // namespace
 
-Model::Model(const Parameters& p) : state_(std::make_unique<State>(State{internal::Engine(p)})) {}
+Model::Model(const Parameters& p) : state_(std::make_unique<State>(p)) {}
 
 Model::Model(const ModelRecord& r) : Model(parameters_of(r)) { internal::from_record(state_->engine, r); }
-
-Model::Model(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 Model& Model::operator=(Model&&) noexcept = default;
 
-void Model::add_initial(std::span<const InitialFace> faces) {
-  for (std::size_t i = 0; i < faces.size(); ++i) internal::add_initial(state_->engine, i, faces[i]);
+const std::vector<Change>& Model::add_initial(std::span<const InitialFace> faces) {
+  internal::add_initial_faces(state_->engine, faces);
+  return state_->engine.complex.changes();
 }
 
 const std::vector<Change>& Model::update(std::span<const SensorPoint> set) {
   internal::update_set(state_->engine, set);
-  return state_->engine.changes;
+  return state_->engine.complex.changes();
 }
 
 const std::vector<Change>& Model::finish() {
   internal::finish(state_->engine);
-  return state_->engine.changes;
+  return state_->engine.complex.changes();
 }
 
-const Parameters& Model::parameters() const { return state_->engine.parameters; }
+const Parameters& Model::parameters() const { return state_->engine.setting.parameters; }
 
 Counts Model::counts() const {
-  Counts c = state_->engine.counts;
-  for (const auto& s : state_->engine.segments) {
-    if (!s) continue;
-    if (!s->polygon) {
+  const internal::Engine& e = state_->engine;
+  Counts c = e.counts;
+  c.points = e.complex.now();
+  e.complex.segments().for_each([&](const internal::Segment& s) {
+    if (!s.polygon) {
       ++c.point_segments;
-      c.loose += s->moments.count();
-      continue;
+      c.loose += s.count();
+      return;
     }
     ++c.polygons;
-    c.holes += static_cast<std::int64_t>(s->polygon->perimeter.hole_count());
-    c.edges += static_cast<std::int64_t>(s->polygon->perimeter.edge_count());
-  }
-  c.shared_edges = static_cast<std::int64_t>(state_->engine.shared.size() / 2);
+    c.holes += static_cast<std::int64_t>(s.polygon->perimeter.hole_count());
+  });
+  c.edges = static_cast<std::int64_t>(e.complex.edges().size());
+  c.shared_edges = static_cast<std::int64_t>(e.complex.edges().pair_count());
   return c;
 }
 
 ModelRecord Model::record() const { return internal::to_record(state_->engine); }
 
-std::string Model::state() const {
-  internal::settle_labels(state_->engine);
-  return internal::to_state(state_->engine);
-}
+std::string Model::state() const { return internal::to_state(state_->engine); }
 
 Model Model::from_state(std::string_view bytes) {
-  return Model(std::make_unique<State>(State{internal::from_state(bytes)}));
+  const internal::StoredState stored(bytes);
+  Model model(stored.parameters());
+  stored.restore(model.state_->engine);
+  return model;
 }
 
-std::vector<std::vector<SegmentId>> Model::surfaces() const { return internal::surfaces(state_->engine); }
+SegmentId Model::now(SegmentId id) const {
+  const internal::Engine& e = state_->engine;
+  if (e.complex.find(id)) return id;
+  for (const Change& c : e.complex.changes())  // in the order it happened, so one way is enough
+    if (c.kind == Change::Kind::merged && (c.first == id || c.second == id)) id = c.result;
+  if (e.complex.find(id)) return id;
+  return e.successors.of(id);
+}
 
-std::vector<OpenEdge> Model::open_edges() const { return internal::open_edges(state_->engine); }
+std::vector<std::vector<SegmentId>> Model::surfaces() const {
+  return internal::surfaces_of(state_->engine.complex);
+}
 
-void Model::keep_labels() { state_->engine.labels_kept = true; }
+std::vector<OpenEdge> Model::open_edges() const {
+  const internal::Engine& e = state_->engine;
+  return internal::open_edges(e.complex, internal::last_reach(e.setting.rules()));
+}
 
-void Model::measure_stages() { state_->engine.stage_clock.measure(); }
+Outcome Model::would_finish() const { return internal::would_finish(state_->engine); }
 
-StageTimes Model::stage_times() const { return state_->engine.stage_clock.times(); }
+void Model::keep_labels() { state_->engine.labels.keep(); }
+
+void Model::measure_stages() { state_->engine.clock.measure(); }
+
+StageTimes Model::stage_times() const { return state_->engine.clock.times(); }
 
 std::vector<SegmentId> Model::labels() const {
-  internal::settle_labels(state_->engine);
+  const internal::Engine& e = state_->engine;
   std::vector<SegmentId> result;
-  result.reserve(state_->engine.labels.size());
-  for (const std::uint64_t id : state_->engine.labels) result.push_back({id});
+  for (const std::uint64_t id : e.labels.settled(e.complex.segments())) result.push_back({id});
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include <limpet/model/changes.hpp>
 #include <limpet/model/open_edges.hpp>
+#include <limpet/model/outcome.hpp>
 #include <limpet/model/record.hpp>
 #include <limpet/model/rules.hpp>
 #include <limpet/model/sensor_point.hpp>
@@ -57,16 +58,17 @@ struct Counts {
 ///     Model model(Parameters{.resolution = 0.05, .noise = 0.001});
 ///     while (auto readings = sense()) model.update(readings);
 ///     model.finish();
-///     io::write_mesh(model.record(), "model.off");
+///     io::save_model("model.off", model.record());
 ///
 ///  (1) After every call the promise of docs/exactness.md holds: each perimeter is a simple polygon,
 ///      anticlockwise, its holes inside and disjoint; and so do the other laws of audit/laws.cpp;
 ///  (2) the same calls give the same model, byte for byte;
 ///  (3) every reading is accounted for: it was refused, has expired, or is in exactly one segment;
-///  (4) the changes a call returns tell all that happened to segments, edges and shared edges;
+///  (4) the changes a call returns tell all that happened to segments, edges and shared edges: who applies
+///      them to a copy, and asks where the edges are that they name, has the model (changes.hpp);
 ///  (5) a shared edge has one partner, whose partner it is, on another segment of the same surface; so the
 ///      neighbour relation is symmetric, and a segment is in at most one surface;
-///  (6) what is only asked (records, surfaces, labels, times, open edges) changes nothing;
+///  (6) what is constant changes nothing that can be seen, and may be called by several threads at once;
 ///  (7) a reading that is none is counted and changes nothing else;
 ///  (8) a model from a record has that record;
 ///  (9) an empty set is counted and changes nothing else.
@@ -87,15 +89,17 @@ class Model {
   /// Initial model segments (thesis §4.3): they represent no points, merge with nothing and are never
   /// modified, but share edges and corners with what is modelled. Throws std::invalid_argument when a face
   /// has no area or is no simple polygon; those before it stay.
-  void add_initial(std::span<const InitialFace> faces);
+  /// The changes are valid until the next call.
+  const std::vector<Change>& add_initial(std::span<const InitialFace> faces);
 
   /// One set of sensor points, the unit of an update (thesis §2.3). Readings that are no point (coordinates
   /// not finite, no axis, or beyond 2^48 grid steps) are counted and left out. The changes are valid until
   /// the next call.
   const std::vector<Change>& update(std::span<const SensorPoint> set);
 
-  /// At the end of input: tries everything once more until nothing changes (at most 20 rounds). Points may
-  /// follow all the same.
+  /// At the end of input: tries everything once more until nothing changes, then again with sections looked
+  /// for farther from their lines, and with short edges (at most 20 rounds each time). Points may follow all
+  /// the same.
   const std::vector<Change>& finish();
 
   const Parameters& parameters() const;
@@ -105,8 +109,7 @@ class Model {
 
   /// All that what follows depends on, between two calls, as bytes: also what a record leaves out, as what is
   /// to be looked at next. The same model gives the same bytes. For this build of the program: what another
-  /// version wrote may be refused. Some tens of bytes an edge, and eight a point where labels are kept. Not
-  /// to be asked for, nor labels(), by two threads at once: labels are brought up to date.
+  /// version wrote may be refused. Some tens of bytes an edge, and eight a point where labels are kept.
   std::string state() const;
   /// Goes on where state() was taken: every later call changes the same, gives the same, and leaves the same
   /// state behind, to the bit, as if nothing had been in between. Throws std::invalid_argument when the bytes
@@ -116,6 +119,15 @@ class Model {
   /// Connected components of the neighbour relation, each ascending, in the order of their lowest identity
   /// (thesis §2.2).
   std::vector<std::vector<SegmentId>> surfaces() const;
+
+  /// The segment that one became part of by mergers, or itself; none when it is gone: dissolved, redundant,
+  /// an outlier. What became of a point segment is known until the next call that changes the model; of a
+  /// polygon, as long as what it became is there (some tens of bytes for each polygon that ever merged).
+  SegmentId now(SegmentId) const;
+
+  /// What finish() would close and leave open, with its reasons, if it were called now. Nothing is changed:
+  /// it is tried on a copy, which takes about as long as state(), finish() and open_edges() together.
+  Outcome would_finish() const;
 
   /// For each open edge the condition that last refused it a neighbour, with what finish() would try at last;
   /// by segment and edge. Empty where neighbours are not asked for. Takes about as long as one look of
@@ -134,7 +146,6 @@ class Model {
 
  private:
   struct State;
-  explicit Model(std::unique_ptr<State>);
   std::unique_ptr<State> state_;
 };
 

@@ -2,7 +2,7 @@
 //
 // Why open edges are open: the conditions of thesis §2.6 and §2.7 are asked once more, and nothing is
 // changed.
-#include <limpet/model/open_edges.hpp>
+#include "open_edges_internal.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "corners_internal.hpp"
+#include "merging_internal.hpp"
 #include "section_search_internal.hpp"
 
 namespace limpet::model::internal {
@@ -57,9 +58,10 @@ class Onlooker : public SectionUser {
 
 class Explanation {
  public:
-  explicit Explanation(const Engine& e) : e_(e), reach_(last_reach(e)) {
-    for (const auto& s : e.segments)
-      if (s && s->polygon) polygons_.push_back(s.get());
+  Explanation(const Complex& complex, const SharingReach& reach) : complex_(complex), reach_(reach) {
+    complex.segments().for_each([&](const Segment& s) {
+      if (s.polygon) polygons_.push_back(&s);
+    });
     std::sort(polygons_.begin(), polygons_.end(),
               [](const Segment* a, const Segment* b) { return a->id < b->id; });
   }
@@ -89,9 +91,9 @@ class Explanation {
 
   std::vector<const Segment*> near(const Box3& box) const {
     std::vector<std::uint32_t> slots;
-    e_.polygons.query(box, slots);
+    complex_.polygons().query(box, slots);
     std::vector<const Segment*> result;
-    for (const std::uint32_t slot : slots) result.push_back(&e_.at(slot));
+    for (const std::uint32_t slot : slots) result.push_back(&complex_.at(slot));
     std::sort(result.begin(), result.end(), [](const Segment* a, const Segment* b) { return a->id < b->id; });
     return result;
   }
@@ -106,7 +108,7 @@ class Explanation {
       const Eigen::Vector3d middle = middle_of(part, slot);
       std::pair<Refusal, SegmentId> found{Refusal::alone, {}};
       for (const Segment* other : near(box_around(middle, 0)))
-        if (other != &s && lies_near(e_, *other->polygon, middle))
+        if (other != &s && lies_near(complex_.setting(), *other->polygon, middle))
           if (const Refusal r = beside(part, *other->polygon, middle); progress(r) > progress(found.first))
             found = {r, other->id};
       note(s, edge, found.first, found.second);
@@ -114,23 +116,23 @@ class Explanation {
   }
 
   Refusal beside(const PolygonPart& part, const PolygonPart& other, const Eigen::Vector3d& p) const {
-    if (part.plane().normal.dot(other.plane().normal) >= e_.cos_angle) return Refusal::angle;
-    const auto between = line_between(e_, part, other);
+    if (part.plane().normal.dot(other.plane().normal) >= complex_.setting().cos_angle) return Refusal::angle;
+    const auto between = line_between(complex_.setting(), part, other);
     if (!between) return Refusal::line_far;
     const Eigen::Vector3d foot = between->line.at(between->line.place_of(p));
     return (p - foot).norm() < reach() ? Refusal::nothing_opposite : Refusal::line_far;
   }
 
   void look_along_line(const Segment& a, const Segment& b) {
-    const auto between = line_between(e_, *a.polygon, *b.polygon);
+    const auto between = line_between(complex_.setting(), *a.polygon, *b.polygon);
     if (!between) return;
-    const auto chains = chains_of_both(e_, a, b, between->line, between->window, reach_);
+    const auto chains = chains_of_both(complex_, a, b, between->line, between->window, reach_);
     if (!chains) return;
     Onlooker onlooker;
     double sign = 1;
     std::vector<RefusedStretch> stretches{{between->window.begin, between->window.end, Refusal::undecided}};
     if (chains->concavity != Concavity::undecided) {
-      SectionSearch(e_, a, b, between->line, reach_, *chains).run(onlooker);
+      SectionSearch(complex_, a, b, between->line, reach_, *chains).run(onlooker);
       sign = chains->concavity == Concavity::convex ? 1 : -1;
       stretches = onlooker.stretches();
     }
@@ -178,15 +180,15 @@ class Explanation {
   void look_at_corners(const Segment& s) {
     const auto& perimeter = s.polygon->perimeter;
     for (const EdgeId edge : s.polygon->shared) {
-      const Slot slot = e_.shared.at(edge.value).slot;
+      const Slot slot = complex_.edges().at(edge).slot;
       if (perimeter.node(perimeter.next(slot)).shared) continue;
-      Ring ring = ring_from(e_, s, slot);
+      Ring ring = ring_from(complex_, s, slot);
       if (ring.parts.empty()) continue;
       const RingPart& part = ring.parts.front();
-      const Segment& beyond = e_.at(across(e_, perimeter.node(part.after).edge).segment);
+      const Segment& beyond = complex_.at(complex_.edges().across(perimeter.node(part.after).edge).segment);
       const auto corner = common_point(part.line_before, beyond.polygon->plane());
       if (!corner) continue;
-      const Refusal refusal = edits_for(e_, ring, reach_).refusal;
+      const Refusal refusal = edits_for(complex_, ring, reach_).refusal;
       for (std::size_t i = 0; i + 1 < part.between.size(); ++i)
         if ((middle_of(*s.polygon, part.between[i]) - *corner).norm() < reach())
           note(s, perimeter.node(part.between[i]).edge, refusal, beyond.id);
@@ -196,9 +198,9 @@ class Explanation {
   static Eigen::Vector3d middle_of(const PolygonPart& part, Slot edge) {
     return (part.position(edge) + part.position(part.perimeter.next(edge))) / 2;
   }
-  double reach() const { return reach_.section * e_.parameters.resolution; }
+  double reach() const { return reach_.section * complex_.setting().lambda; }
 
-  const Engine& e_;
+  const Complex& complex_;
   SharingReach reach_;
   std::vector<const Segment*> polygons_;
   std::unordered_map<std::uint64_t, OpenEdge> found_;
@@ -206,9 +208,9 @@ class Explanation {
 
 }  // namespace
 
-std::vector<OpenEdge> open_edges(const Engine& e) {
-  if (!e.parameters.neighbours) return {};
-  return Explanation(e).all();
+std::vector<OpenEdge> open_edges(const Complex& complex, const SharingReach& reach) {
+  if (!complex.setting().parameters.neighbours) return {};
+  return Explanation(complex, reach).all();
 }
 
 }  // namespace limpet::model::internal

@@ -2,10 +2,13 @@
 //
 // The order of shared edges on boundary cycles (thesis §2.2), and what goes when it is broken (§2.4.3, §2.6).
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <unordered_map>
 
-#include "engine_internal.hpp"
+#include "common_line_internal.hpp"
+#include "sharing_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -20,7 +23,7 @@ struct SharedCycle {
   std::vector<std::uint32_t> neighbours;
 };
 
-SharedCycle shared_on(const Engine& e, const geometry::Polygon& perimeter,
+SharedCycle shared_on(const Complex& complex, const geometry::Polygon& perimeter,
                       const geometry::Polygon::Cycle& cycle) {
   SharedCycle result;
   Slot s = cycle.first;
@@ -28,7 +31,7 @@ SharedCycle shared_on(const Engine& e, const geometry::Polygon& perimeter,
     const auto& node = perimeter.node(s);
     if (!node.shared) continue;
     result.edges.push_back(node.edge);
-    result.neighbours.push_back(across(e, node.edge).segment);
+    result.neighbours.push_back(complex.edges().across(node.edge).segment);
   }
   return result;
 }
@@ -51,19 +54,19 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> globally_disordered(const
 }
 
 /// A neighbour on one cycle of which the partners do not come in falling order, wrapping once.
-std::optional<std::uint32_t> locally_disordered(const Engine& e, const SharedCycle& cycle) {
+std::optional<std::uint32_t> locally_disordered(const Complex& complex, const SharedCycle& cycle) {
   // The place of each partner on its own cycle, found by walking that cycle once.
   std::map<std::pair<std::uint32_t, CycleId>, std::vector<EdgeId>> partners;
   for (const EdgeId edge : cycle.edges) {
-    const SharedEdge& other = across(e, edge);
-    partners[{other.segment, e.at(other.segment).polygon->perimeter.node(other.slot).cycle}].push_back(
-        e.shared.at(edge.value).partner);
+    const EdgePlace& other = complex.edges().across(edge);
+    partners[{other.segment, complex.at(other.segment).polygon->perimeter.node(other.slot).cycle}].push_back(
+        complex.edges().at(edge).partner);
   }
   for (const auto& [place, sequence] : partners) {
     if (sequence.size() < 3) continue;  // two are in any order
-    const auto& perimeter = e.at(place.first).polygon->perimeter;
+    const auto& perimeter = complex.at(place.first).polygon->perimeter;
     std::unordered_map<std::uint64_t, std::size_t> at;
-    const SharedCycle theirs = shared_on(e, perimeter, perimeter.cycle(place.second));
+    const SharedCycle theirs = shared_on(complex, perimeter, perimeter.cycle(place.second));
     for (std::size_t i = 0; i < theirs.edges.size(); ++i) at[theirs.edges[i].value] = i;
     std::size_t rises = 0;
     for (std::size_t k = 0; k < sequence.size(); ++k)
@@ -74,38 +77,37 @@ std::optional<std::uint32_t> locally_disordered(const Engine& e, const SharedCyc
 }
 
 /// No further edges are shared between the two until the next set (§2.6).
-void dissolve_pair(Engine& e, Segment& a, Segment& b) {
-  e.disordered.insert(std::minmax(a.id, b.id));
-  dissolve_neighbours(e, a, b);
+void dissolve_pair(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b) {
+  agenda.note_disorder(a.id, b.id);
+  complex.dissolve_neighbours(a, b);
 }
 
 /// Neighbours of s whose edges break an order on one of its cycles: one, or two that alternate.
-std::optional<std::pair<std::uint32_t, std::optional<std::uint32_t>>> first_disorder(const Engine& e,
+std::optional<std::pair<std::uint32_t, std::optional<std::uint32_t>>> first_disorder(const Complex& complex,
                                                                                      const Segment& s) {
   const auto& perimeter = s.polygon->perimeter;
   for (const auto& cycle : perimeter.cycles()) {
     if (cycle.size == 0) continue;
-    const SharedCycle shared = shared_on(e, perimeter, cycle);
+    const SharedCycle shared = shared_on(complex, perimeter, cycle);
     if (shared.edges.size() < 3) continue;
-    if (const auto other = locally_disordered(e, shared)) return std::pair(*other, std::nullopt);
+    if (const auto other = locally_disordered(complex, shared)) return std::pair(*other, std::nullopt);
     if (const auto both = globally_disordered(shared))
       return std::pair(both->first, std::optional(both->second));
   }
   return std::nullopt;
 }
 
-bool dissolve_first_disorder(Engine& e, Segment& s) {
-  const auto disorder = first_disorder(e, s);
+bool dissolve_first_disorder(Complex& complex, Agenda& agenda, const Segment& s) {
+  const auto disorder = first_disorder(complex, s);
   if (!disorder) return false;
-  dissolve_pair(e, s, e.at(disorder->first));
-  if (disorder->second) dissolve_pair(e, s, e.at(*disorder->second));
+  dissolve_pair(complex, agenda, s, complex.at(disorder->first));
+  if (disorder->second) dissolve_pair(complex, agenda, s, complex.at(*disorder->second));
   return true;
 }
 
 /// The next shared edge from `s` on, if it is not far.
 std::optional<EdgeId> shared_after(const geometry::Polygon& perimeter, Slot s, bool forward) {
-  constexpr int kFar = 256;
-  for (int i = 0; i < kFar; ++i) {
+  for (int i = 0; i < kMaxOrderSteps; ++i) {
     s = forward ? perimeter.next(s) : perimeter.prev(s);
     if (perimeter.node(s).shared) return perimeter.node(s).edge;
   }
@@ -114,25 +116,48 @@ std::optional<EdgeId> shared_after(const geometry::Polygon& perimeter, Slot s, b
 
 }  // namespace
 
-bool order_stays(Engine& e, EdgeId edge) {
-  const SharedEdge &mine = e.shared.at(edge.value), &other = across(e, edge);
-  const Segment &a = e.at(mine.segment), &b = e.at(other.segment);
-  if (edges_between(e, a, b).size() == 1) return true;
+bool order_stays(const Complex& complex, EdgeId edge) {
+  const EdgePlace &mine = complex.edges().at(edge), &other = complex.edges().across(edge);
+  const Segment &a = complex.at(mine.segment), &b = complex.at(other.segment);
+  if (complex.edges_between(a, b).size() == 1) return true;
   for (const bool forward : {true, false}) {
     const auto beside = shared_after(a.polygon->perimeter, mine.slot, forward);
     if (!beside || *beside == edge) continue;
     const auto beside_other = shared_after(b.polygon->perimeter, other.slot, !forward);
-    if (beside_other && e.shared.at(beside->value).partner == *beside_other) return true;
+    if (beside_other && complex.edges().at(*beside).partner == *beside_other) return true;
   }
   return false;
 }
 
-bool is_disordered(const Engine& e, const Segment& s) { return first_disorder(e, s).has_value(); }
+bool is_disordered(const Complex& complex, const Segment& s) {
+  return first_disorder(complex, s).has_value();
+}
 
-bool dissolve_disordered(Engine& e, Segment& s) {
+bool dissolve_disordered(Complex& complex, Agenda& agenda, const Segment& s) {
   bool any = false;
-  while (!s.polygon->shared.empty() && dissolve_first_disorder(e, s)) any = true;
+  while (!s.polygon->shared.empty() && dissolve_first_disorder(complex, agenda, s)) any = true;
   return any;
+}
+
+void keep_one_concavity(Complex& complex, const Segment& s, const std::vector<EdgeId>& edges) {
+  const PolygonPart& part = *s.polygon;
+  const EdgeTable& table = complex.edges();
+  for (const std::uint32_t n : complex.neighbours_across(edges)) {
+    const auto line = common_line(part.plane(), complex.at(n).polygon->plane(), part.box.center());
+    if (!line) continue;
+    std::array<double, 2> length{};  // of the concave ones, and of the convex
+    std::array<std::vector<EdgeId>, 2> kinds;
+    for (const EdgeId shared : complex.edges_between(s, complex.at(n))) {
+      const EdgeId edge = s.slot < n ? shared : table.at(shared).partner;
+      const Slot slot = table.at(edge).slot;
+      const double along = line->along.dot(part.position(part.perimeter.next(slot)) - part.position(slot));
+      length[along > 0] += std::abs(along);
+      kinds[along > 0].push_back(edge);
+    }
+    if (kinds[0].empty() || kinds[1].empty()) continue;
+    for (const EdgeId edge : kinds[length[0] > length[1]])
+      if (table.shared(edge)) complex.unshare(edge);
+  }
 }
 
 }  // namespace limpet::model::internal

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <algorithm>
+#include "places_internal.hpp"
 
-#include "engine_internal.hpp"
+#include <algorithm>
 
 namespace limpet::model::internal {
 
@@ -31,17 +31,12 @@ void query(const SpatialIndex& index, const Places& places, std::vector<std::uin
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-Places places_of(const PolygonPart& part,
-                 std::span<const std::pair<geometry::Slot, geometry::EdgeId>> edges) {
-  const auto at = [&](geometry::Slot s) {
-    const geometry::Point2 v = part.perimeter.at(s);
-    return part.chart.at(v, part.published(v));
-  };
+Places places_of(const PolygonPart& part, const PlacedEdges& edges) {
   Places places;
   for (const auto& [slot, edge] : edges) {
     if (!part.perimeter.alive(slot)) continue;
-    Box3 box(at(slot));
-    places.add(box.extend(at(part.perimeter.next(slot))));
+    Box3 box(part.position(slot));
+    places.add(box.extend(part.position(part.perimeter.next(slot))));
   }
   return places;
 }

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include <limpet/model/spatial_index.hpp>
+#include "segment_internal.hpp"
 
 namespace limpet::model::internal {
 
@@ -31,5 +31,10 @@ class Places {
  private:
   std::vector<Box3> boxes_;
 };
+
+/// Slots of segments near the places, in ascending order.
+void query(const SpatialIndex&, const Places&, std::vector<std::uint32_t>& found);
+/// Where those of the edges lie that are still there.
+Places places_of(const PolygonPart&, const PlacedEdges&);
 
 }  // namespace limpet::model::internal

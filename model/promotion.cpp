@@ -1,15 +1,12 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-//
-// When is a segment a polygon? The rule that makes a point segment a planar polygon segment, and its first
-// perimeter.
+#include "promotion_internal.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <limpet/geometry/extend.hpp>
 #include <limpet/geometry/predicates.hpp>
-
-#include "engine_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -27,7 +24,7 @@ bool plane_by_chance(const Fit& fit, double variance) {
 /// The fit without the `levers` points that most determine the plane: those farthest off the long axis. A
 /// scan line and one or two outliers lie in a plane only too easily; without the outliers they are no plane
 /// at all.
-Fit without_levers(const Engine& e, Fit fit, const std::vector<const std::vector<RawPoint>*>& raw,
+Fit without_levers(const Setting& setting, Fit fit, const std::vector<const std::vector<RawPoint>*>& raw,
                    int levers) {
   std::vector<GridPoint> points;
   for (const auto* some : raw)
@@ -35,25 +32,26 @@ Fit without_levers(const Engine& e, Fit fit, const std::vector<const std::vector
   if (static_cast<double>(points.size()) != fit.count) return fit;  // not all are kept any more
   for (; levers > 0 && points.size() > 3; --levers) {
     const auto across = [&](const GridPoint& p) {
-      return std::abs(fit.axis2.dot(e.world(p) - fit.centroid));
+      return std::abs(fit.axis2.dot(setting.world(p) - fit.centroid));
     };
     points.erase(std::max_element(points.begin(), points.end(), [&](const GridPoint& a, const GridPoint& b) {
       return across(a) < across(b);
     }));
     Moments moments;
     for (const GridPoint& p : points) moments.add(p);
-    fit = fit_to(moments, e.step, -fit.normal);  // the long axis turns when its lever goes
+    fit = fit_to(moments, setting.step, -fit.normal);  // the long axis turns when its lever goes
   }
   return fit;
 }
 
-bool normal_known(const Engine& e, const Fit& fit, double variance) {
+bool normal_known(const Setting& setting, const Fit& fit, double variance) {
   if (fit.u2 <= 4 * variance) return false;
-  return std::sqrt(variance / (fit.count * (fit.u2 - variance))) < e.parameters.angle_rad / 2;
+  return std::sqrt(variance / (fit.count * (fit.u2 - variance))) < setting.parameters.angle_rad / 2;
 }
 
 /// The thesis's diamond: vertices at the standard deviations along the two large axes.
-std::optional<geometry::Polygon> diamond(Engine& e, const geometry::Chart& chart, const Fit& fit) {
+std::optional<geometry::Polygon> diamond(geometry::EdgeIds& edge_ids, const geometry::Chart& chart,
+                                         const Fit& fit) {
   const Eigen::Vector3d a = std::sqrt(fit.u1) * fit.axis1, b = std::sqrt(fit.u2) * fit.axis2;
   const bool right_handed = a.cross(b).dot(chart.normal()) > 0;
   std::vector<geometry::NewVertex> cycle;
@@ -61,53 +59,52 @@ std::optional<geometry::Polygon> diamond(Engine& e, const geometry::Chart& chart
                                    right_handed ? Eigen::Vector3d(-b) : b})
     cycle.push_back({geometry::round_to_grid(chart.project(fit.centroid + p))});
   const std::array cycles = {cycle};
-  return geometry::Polygon::from_cycles(cycles, e.edge_ids);
+  return geometry::Polygon::from_cycles(cycles, edge_ids);
 }
 
 }  // namespace
 
-/// Had this been a surface all the time that its points have been waiting, about as many points would have
-/// come to each λ² of it as to any λ² of the surface that is known. Where a stream is long, outliers, and
-/// readings far out in the tails of the noise, make planes, too, but they take their time: below a thirtieth
-/// it is no surface.
-bool too_few_arrived(const Engine& e, const Fit& fit, double since_sum) {
-  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
-  const auto points = static_cast<double>(e.counts.points);
+bool too_few_arrived(const Complex& complex, const Fit& fit, double since_sum) {
+  const auto points = static_cast<double>(complex.now());
   const double waited = points - since_sum / fit.count;
-  const double area = 12 * std::sqrt(fit.u1 * fit.u2) / lambda2;  // of a rectangle with these variances
-  const auto modelled = static_cast<double>(e.modelled_points);
-  return 30 * fit.count * e.modelled_area * points < waited * area * modelled;
+  const double area =
+      12 * std::sqrt(fit.u1 * fit.u2) / complex.setting().lambda2;  // of a rectangle with these variances
+  const auto modelled = static_cast<double>(complex.modelled_points());
+  return kArrivalShare * fit.count * complex.modelled_area() * points < waited * area * modelled;
 }
 
-bool points_came_too_slowly(const Engine& e, const Segment& s) {
-  const auto points = static_cast<double>(e.counts.points), count = static_cast<double>(s.moments.count());
-  const double waited = points - s.since_sum / count;
-  return 30 * count * e.modelled_area * points < waited * static_cast<double>(e.modelled_points);
+bool points_came_too_slowly(const Complex& complex, const Segment& s) {
+  const auto points = static_cast<double>(complex.now()), count = static_cast<double>(s.count());
+  const double waited = points - s.data.sums().since / count;
+  return kArrivalShare * count * complex.modelled_area() * points <
+         waited * static_cast<double>(complex.modelled_points());
 }
 
-bool promotable(const Engine& e, const Fit& fit, double v, const Eigen::Vector3d& axis_sum,
-                const std::vector<const std::vector<RawPoint>*>& raw, double since_sum) {
-  const double lambda2 = e.parameters.resolution * e.parameters.resolution;
-  if (!e.rules().promotion) {
+bool promotable(const Complex& complex, const Fit& fit, const SegmentData::Sums& sums,
+                const std::vector<const std::vector<RawPoint>*>& raw) {
+  const Setting& setting = complex.setting();
+  const Rules& rules = setting.rules();
+  if (!rules.promotion) {
     // Thesis §2.2: a polygon unless s_pt² < s_pp² or the points are collinear (two eigenvalues zero).
-    return fit.count >= 3 && fit.u3 < lambda2 && fit.u2 > 1e-9 * fit.u1 && fit.u2 > 0 &&
-           faces_outside(fit.normal, axis_sum);
+    return fit.count >= 3 && fit.u3 < setting.lambda2 && fit.u2 > 1e-9 * fit.u1 && fit.u2 > 0 &&
+           faces_outside(fit.normal, sums.axis);
   }
-  const double m = fit.count;
-  if (m < 5 || fit.u3 > 4 * v * (m - 3) / m || !normal_known(e, fit, v)) return false;
-  if (!faces_outside(fit.normal, axis_sum)) return false;
+  const double m = fit.count, v = sums.variance / fit.count;
+  if (m < 5 || fit.u3 > 4 * v * (m - 3) / m || !normal_known(setting, fit, v)) return false;
+  if (!faces_outside(fit.normal, sums.axis)) return false;
   const double cos_80 = 0.17364817766693033;
-  if (-fit.normal.dot(axis_sum) < cos_80 * std::sqrt(axis_sum.dot(axis_sum))) return false;
-  if (e.rules().arrival && too_few_arrived(e, fit, since_sum)) return false;
-  if (!e.rules().chance) return true;
-  const Fit firm = without_levers(e, fit, raw, 1);
-  return normal_known(e, firm, v) && !plane_by_chance(firm, v) && without_levers(e, fit, raw, 2).u2 > 4 * v;
+  if (-fit.normal.dot(sums.axis) < cos_80 * std::sqrt(sums.axis.dot(sums.axis))) return false;
+  if (rules.arrival && too_few_arrived(complex, fit, sums.since)) return false;
+  if (!rules.chance) return true;
+  const Fit firm = without_levers(setting, fit, raw, 1);
+  return normal_known(setting, firm, v) && !plane_by_chance(firm, v) &&
+         without_levers(setting, fit, raw, 2).u2 > 4 * v;
 }
 
-std::unique_ptr<PolygonPart> diamond_part(Engine& e, const Fit& fit) {
+std::unique_ptr<PolygonPart> diamond_part(Complex& complex, const Fit& fit) {
   auto part = std::make_unique<PolygonPart>();
-  part->chart = geometry::Chart(fit.plane(), fit.axis1, e.step);
-  auto perimeter = diamond(e, part->chart, fit);
+  part->chart = geometry::Chart(fit.plane(), fit.axis1, complex.setting().step);
+  auto perimeter = diamond(complex.edge_ids(), part->chart, fit);
   if (!perimeter) return nullptr;  // too small for the grid
   part->perimeter = std::move(*perimeter);
   part->published = geometry::Lift(part->chart, fit.plane());
@@ -116,27 +113,19 @@ std::unique_ptr<PolygonPart> diamond_part(Engine& e, const Fit& fit) {
   return part;
 }
 
-void promote(Engine& e, Segment& s, std::unique_ptr<PolygonPart> new_part) {
-  s.polygon = std::move(new_part);
-  e.modelled_points += s.moments.count();
-  PolygonPart& part = *s.polygon;
-  if (!s.young()) add_to_relief(e, part, s.fit.centroid, static_cast<double>(s.moments.count()));
+void promote(Complex& complex, const Segment& s, std::unique_ptr<PolygonPart> part) {
   // The points are still there: the diamond is extended to them, from the middle outwards.
   std::vector<std::pair<double, geometry::Point2>> points;
-  for (const RawPoint& raw : s.raw) {
-    const geometry::Point2 q = geometry::round_to_grid(part.chart.project(e.world(raw.at)));
+  for (const RawPoint& raw : s.data.raw()) {
+    const geometry::Point2 q = geometry::round_to_grid(part->chart.project(complex.setting().world(raw.at)));
     points.emplace_back(geometry::squared_length(q), q);
   }
   std::stable_sort(points.begin(), points.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [distance2, q] : points) geometry::extend_to_point(part.perimeter, q, e.gap, e.edge_ids);
-  part.perimeter.take_removed();
-  for (const auto& created : part.perimeter.take_created()) part.fresh.push_back(created);
-  part.box = perimeter_box(part);
-  s.next_fit = s.moments.count() + 1;
-  update_index(e, s);
-  description_changed(e, s, part.box);
-  e.changes.push_back({Change::Kind::became_polygon, {}, {}, s.id, {}});
+  for (const auto& [distance2, q] : points)
+    geometry::extend_to_point(part->perimeter, q, complex.setting().gap, complex.edge_ids());
+  part->perimeter.take_removed();  // they were on no segment yet
+  complex.become_polygon(s, std::move(part));
 }
 
 }  // namespace limpet::model::internal

@@ -4,110 +4,114 @@
 // no edge to share. Their data goes where it still fits.
 #include <algorithm>
 
-#include "engine_internal.hpp"
+#include "merging_internal.hpp"
+#include "redundancy_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
 
 using geometry::Slot;
 
-constexpr double kSameWay = 0.5;  ///< cosine of 60°
-
 /// Is a point of a segment with this normal within λ of the other's surface, facing about the same way? A
 /// thin plate has a back, and the perimeter of a small face of a box lies all on the faces around it; a
 /// sliver across an edge turns by half of the angle there.
-bool lies_on(const Engine& e, const Segment& other, const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
-  return other.polygon->outward.dot(normal) > kSameWay && lies_near(e, *other.polygon, p);
+bool lies_on(const Setting& setting, const Segment& other, const Eigen::Vector3d& p,
+             const Eigen::Vector3d& normal) {
+  return other.polygon->outward.dot(normal) > kSameWay && lies_near(setting, *other.polygon, p);
 }
 
 /// A patch or a sliver: what is larger, and wider, is a surface of its own however near others are.
-bool is_small(const Engine& e, const PolygonPart& part) {
-  const double area = part.perimeter.area() / (e.gap * e.gap),
-               length = part.box.diagonal().norm() / e.parameters.resolution;
+bool is_small(const Setting& setting, const PolygonPart& part) {
+  const double area = part.perimeter.area() / (setting.gap * setting.gap),
+               length = part.box.diagonal().norm() / setting.lambda;
   return area < kYoungArea || area < 1.5 * length;
 }
 
 /// By position: do all vertices of a small segment lie within λ of surfaces of larger ones?
-bool lies_on_others(Engine& e, const Segment& s) {
+bool lies_on_others(const Complex& complex, const Segment& s) {
   const PolygonPart& part = *s.polygon;
-  if (!is_small(e, part)) return false;
-  e.polygons.query(part.box, e.found);
+  if (!is_small(complex.setting(), part)) return false;
+  std::vector<std::uint32_t> found;
+  complex.polygons().query(part.box, found);
   std::vector<const Segment*> others;
-  for (const std::uint32_t slot : e.found)
-    if (const Segment& other = e.at(slot); other.moments.count() > s.moments.count())
-      others.push_back(&other);
-  for (std::uint32_t i = 0; i < part.perimeter.slot_count(); ++i) {
-    if (!part.perimeter.alive(Slot{i})) continue;
-    const Eigen::Vector3d p = part.position(Slot{i});
-    if (std::none_of(others.begin(), others.end(),
-                     [&](const Segment* other) { return lies_on(e, *other, p, part.outward); }))
-      return false;
-  }
-  return !others.empty();
+  for (const std::uint32_t slot : found)
+    if (const Segment& other = complex.at(slot); other.count() > s.count()) others.push_back(&other);
+  bool all = !others.empty();
+  for_each_edge(part.perimeter, [&](Slot vertex) {
+    all = all && std::any_of(others.begin(), others.end(), [&](const Segment* other) {
+            return lies_on(complex.setting(), *other, part.position(vertex), part.outward);
+          });
+  });
+  return all;
 }
 
 /// The polygon that the data fits best, with how it stands to it.
-std::pair<Segment*, Standing> best_for(Engine& e, const Segment& but, const Eigen::Vector3d& p,
-                                       const Eigen::Vector3d& axis, const Moments& data, double variance) {
-  std::pair<Segment*, Standing> best{nullptr, {}};
-  e.polygons.query(p, e.found);
-  std::sort(e.found.begin(), e.found.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return e.at(a).id < e.at(b).id; });
-  for (const std::uint32_t slot : e.found) {
-    Segment& other = e.at(slot);
-    if (&other == &but || other.initial()) continue;
-    const Standing st =
-        standing(e, other, p, axis, data.squared_residual(other.fit.plane(), e.step), variance);
+std::pair<const Segment*, Standing> best_for(const Complex& complex, const Segment* but,
+                                             const Eigen::Vector3d& p, const Eigen::Vector3d& axis,
+                                             const Moments& data, double variance) {
+  std::pair<const Segment*, Standing> best{nullptr, {}};
+  std::vector<std::uint32_t> found;
+  complex.polygons().query(p, found);
+  std::sort(found.begin(), found.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return complex.at(a).id < complex.at(b).id; });
+  for (const std::uint32_t slot : found) {
+    const Segment& other = complex.at(slot);
+    if (&other == but || other.initial()) continue;
+    const double residual2 = data.squared_residual(other.fit.plane(), complex.setting().step);
+    const Standing st = standing(complex.setting(), other, p, axis, residual2, variance);
     if (st.near && (!best.first || st.distance2 < best.second.distance2)) best = {&other, st};
   }
   return best;
 }
 
 /// Deletes the segment; its data goes to a segment that it fits as a whole, else its points go, one by one,
-/// to those that they fit. What fits nowhere is given up.
-void delete_segment(Engine& e, Segment& s) {
-  dissolve_all_neighbours(e, s);
-  if (s.moments.count() > 0)
-    if (const auto [other, st] = best_for(e, s, s.fit.centroid, s.axis_sum, s.moments, s.variance());
-        other && merge_segment_into_polygon(e, *other, s, st))
-      return;
-  const std::vector<RawPoint> raw = s.raw;
-  std::int64_t lost = s.moments.count() - static_cast<std::int64_t>(raw.size());
-  e.changes.push_back({Change::Kind::deleted, s.id, {}, {}, {}});
-  erase_segment(e, s);
+/// to those that they fit. Returns how many points fit nowhere, and are given up.
+std::int64_t delete_segment(Complex& complex, Agenda& agenda, Labels& labels, const Segment& s) {
+  complex.dissolve_all_neighbours(s);
+  if (s.count() > 0)
+    if (const auto [other, st] =
+            best_for(complex, &s, s.fit.centroid, s.data.axis_sum(), s.data.moments(), s.data.variance());
+        other && merge_segment_into_polygon(complex, agenda, *other, s, st))
+      return 0;
+  const std::vector<RawPoint> raw = s.data.raw();
+  std::int64_t lost = s.count() - static_cast<std::int64_t>(raw.size());
+  complex.remove(s);
   for (const RawPoint& point : raw) {
-    const Segment none;
-    const auto [other, st] =
-        best_for(e, none, e.world(point.at), point.axis, Moments(point.at), point.variance);
-    if (!(other && merge_point_into_polygon(e, *other, point, st))) ++lost;
+    const auto [other, st] = best_for(complex, nullptr, complex.setting().world(point.at), point.axis,
+                                      Moments(point.at), point.variance);
+    if (other && merge_point_into_polygon(complex, agenda, *other, point, st))
+      labels.set(point, other->id);
+    else
+      ++lost;
   }
-  e.counts.expired += lost;
+  return lost;
 }
 
 }  // namespace
 
-void note_if_redundant(Engine& e, const Segment& a, const Segment& b) {
-  const Segment& small = a.moments.count() < b.moments.count() ? a : b;
-  const auto n1 = static_cast<double>(small.moments.count()),
-             n2 = static_cast<double>(std::max(a.moments.count(), b.moments.count()));
-  if (n1 > 0 && n1 < e.parameters.redundancy_count && n1 < e.parameters.redundancy_ratio * n2)
-    e.redundant.push_back(small.id);
+void note_if_redundant(const Setting& setting, Agenda& agenda, const Segment& a, const Segment& b) {
+  const Segment& small = a.count() < b.count() ? a : b;
+  const auto n1 = static_cast<double>(small.count()),
+             n2 = static_cast<double>(std::max(a.count(), b.count()));
+  if (n1 > 0 && n1 < setting.parameters.redundancy_count && n1 < setting.parameters.redundancy_ratio * n2)
+    agenda.note_redundant(small.id);
 }
 
-bool delete_redundant(Engine& e) {
-  std::vector<SegmentId> ids = std::exchange(e.redundant, {});
+bool delete_redundant(Complex& complex, Agenda& agenda, Labels& labels, Counts& counts) {
+  std::vector<SegmentId> ids = agenda.take_redundant();
   const std::size_t by_count = ids.size();
-  if (e.finishing && e.rules().position)
-    for (const auto& s : e.segments)
-      if (s && s->polygon && s->polygon->shared.empty() && s->moments.count() > 0) ids.push_back(s->id);
+  if (agenda.finishing && complex.rules().position)
+    complex.segments().for_each([&](const Segment& s) {
+      if (s.polygon && s.polygon->shared.empty() && s.count() > 0) ids.push_back(s.id);
+    });
   std::sort(ids.begin() + static_cast<std::ptrdiff_t>(by_count), ids.end());
   bool any = false;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    Segment* s = e.find(ids[i]);
-    if (!s || !s->polygon || !s->polygon->shared.empty() || (i >= by_count && !lies_on_others(e, *s)))
+    const Segment* s = complex.find(ids[i]);
+    if (!s || !s->polygon || !s->polygon->shared.empty() || (i >= by_count && !lies_on_others(complex, *s)))
       continue;
-    ++(i < by_count ? e.counts.redundant_by_count : e.counts.redundant_by_position);
-    delete_segment(e, *s);
+    ++(i < by_count ? counts.redundant_by_count : counts.redundant_by_position);
+    counts.expired += delete_segment(complex, agenda, labels, *s);
     any = true;
   }
   return any;

@@ -10,7 +10,8 @@
 #include <limpet/geometry/predicates.hpp>
 
 #include "common_line_internal.hpp"
-#include "engine_internal.hpp"
+#include "sharing_internal.hpp"
+#include "thresholds_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -19,51 +20,49 @@ using geometry::EdgeId;
 using geometry::Point2;
 using geometry::Slot;
 
-constexpr double kLeastSteps = 8;  ///< grid steps: a shorter shared edge is given up
-constexpr int kMaxTries = 12;      ///< then all edges of the segment are unshared
-
 class Repositioning {
  public:
-  Repositioning(Engine& e, Segment& s, std::vector<EdgeId>& edges) : e_(e), s_(s), edges_(edges) {}
+  Repositioning(Complex& complex, const Segment& s, std::vector<EdgeId>& edges)
+      : complex_(complex), table_(complex.edges()), s_(s), edges_(edges) {}
 
   void run() {
     for (int tries = 0;; ++tries) {
-      std::erase_if(edges_, [&](EdgeId edge) { return !e_.shared.count(edge.value); });
+      std::erase_if(edges_, [&](EdgeId edge) { return !table_.shared(edge); });
       if (edges_.empty()) return;
-      if (tries == kMaxTries) {
-        for (const EdgeId edge : edges_) unshare(e_, edge);
+      if (tries == kMaxRepositionTries) {
+        for (const EdgeId edge : edges_) complex_.unshare(edge);
         return;
       }
       const auto offender = work_out();
-      if (!offender) return commit();
-      unshare(e_, *offender);
+      if (!offender) return complex_.commit_judged(transaction_);
+      complex_.unshare(*offender);
     }
   }
 
  private:
   /// New places of all vertices that move, and the edits; or the edge that cannot follow.
   std::optional<EdgeId> work_out() {
-    moves_.clear(), edits_.clear();
+    moves_.clear(), transaction_ = {};
     for (const EdgeId edge : edges_)
       if (!place_ends(edge)) return edge;
     for (const EdgeId edge : edges_)
       if (!pair_holds(edge)) return edge;
     for (const auto& [segment, places] : moves_) {
-      const geometry::Polygon& perimeter = e_.at(segment).polygon->perimeter;
+      const geometry::Polygon& perimeter = complex_.at(segment).polygon->perimeter;
       geometry::Edit edit = edit_of(perimeter, places);
       if (edit.chains.empty() && edit.loops.empty()) continue;
       if (perimeter.judge(edit) != geometry::Verdict::valid) return offender_on(segment, places);
-      edits_.emplace_back(segment, std::move(edit));
+      transaction_.edits.emplace_back(segment, std::move(edit));
     }
     return std::nullopt;
   }
 
   /// Of the edges that move on this perimeter, the one of lowest identity.
   EdgeId offender_on(std::uint32_t segment, const std::map<Slot, Point2>& places) {
-    const geometry::Polygon& perimeter = e_.at(segment).polygon->perimeter;
+    const geometry::Polygon& perimeter = complex_.at(segment).polygon->perimeter;
     for (const EdgeId edge : edges_) {
-      const SharedEdge &mine = e_.shared.at(edge.value), &other = across(e_, edge);
-      const SharedEdge& here = segment == s_.slot ? mine : other;
+      const EdgePlace &mine = table_.at(edge), &other = table_.across(edge);
+      const EdgePlace& here = segment == s_.slot ? mine : other;
       if (here.segment != segment) continue;
       for (const Slot end : {here.slot, perimeter.next(here.slot)})
         if (const auto move = places.find(end); move != places.end() && move->second != perimeter.at(end))
@@ -73,7 +72,7 @@ class Repositioning {
   }
 
   std::optional<CommonLine> line_of(const Segment& a, EdgeId edge, const Eigen::Vector3d& near) {
-    return common_line(a.polygon->plane(), e_.at(across(e_, edge).segment).polygon->plane(), near);
+    return common_line(a.polygon->plane(), complex_.at(table_.across(edge).segment).polygon->plane(), near);
   }
 
   /// Where the vertex of `a` goes that ends edge `edge`; `other`: the edge on its other side.
@@ -83,27 +82,27 @@ class Repositioning {
     if (!line) return false;
     Eigen::Vector3d to = line->at(line->place_of(from));
     if (corner) {
-      const auto point = common_point(*line, e_.at(across(e_, other).segment).polygon->plane());
+      const auto point = common_point(*line, complex_.at(table_.across(other).segment).polygon->plane());
       if (!point) return false;
       to = *point;
     }
-    const double lambda = e_.parameters.resolution;
+    const double lambda = complex_.setting().lambda;
     if ((to - from).squaredNorm() >= lambda * lambda) return false;
     moves_[a.slot][vertex] = geometry::round_to_grid(a.polygon->chart.project(to));
     return true;
   }
 
   bool place_ends(EdgeId edge) {
-    const SharedEdge &mine = e_.shared.at(edge.value), &theirs = across(e_, edge);
+    const EdgePlace &mine = table_.at(edge), &theirs = table_.across(edge);
     const EdgeId copy = mine.partner;
-    Segment& n = e_.at(theirs.segment);
+    const Segment& n = complex_.at(theirs.segment);
     const auto &perimeter = s_.polygon->perimeter, &other = n.polygon->perimeter;
     for (const bool begin : {true, false}) {
       const Slot p = begin ? mine.slot : perimeter.next(mine.slot);
       const Slot q = begin ? other.next(theirs.slot) : theirs.slot;
       const EdgeId beside_p = perimeter.node(begin ? perimeter.prev(p) : p).edge;
       const EdgeId beside_q = other.node(begin ? q : other.prev(q)).edge;
-      const bool corner_p = is_corner(e_, s_, p), corner_q = is_corner(e_, n, q);
+      const bool corner_p = complex_.is_corner(s_, p), corner_q = complex_.is_corner(n, q);
       const Eigen::Vector3d from_p = s_.polygon->position(p);
       // Where neither is a corner, both go to the foot of the same point.
       const Eigen::Vector3d from_q = corner_p || corner_q ? n.polygon->position(q) : from_p;
@@ -117,20 +116,21 @@ class Repositioning {
   Eigen::Vector3d after(const Segment& a, Slot vertex) const {
     if (const auto of_a = moves_.find(a.slot); of_a != moves_.end())
       if (const auto move = of_a->second.find(vertex); move != of_a->second.end())
-        return a.polygon->chart.at(move->second, a.polygon->published(move->second));
+        return a.polygon->at(move->second);
     return a.polygon->position(vertex);
   }
 
   /// Do the copies keep their direction, and overlap?
   bool pair_holds(EdgeId edge) {
-    const SharedEdge &mine = e_.shared.at(edge.value), &theirs = across(e_, edge);
-    const Segment& n = e_.at(theirs.segment);
+    const EdgePlace &mine = table_.at(edge), &theirs = table_.across(edge);
+    const Segment& n = complex_.at(theirs.segment);
     const auto &perimeter = s_.polygon->perimeter, &other = n.polygon->perimeter;
     const Eigen::Vector3d p1 = after(s_, mine.slot), p2 = after(s_, perimeter.next(mine.slot)),
                           q1 = after(n, other.next(theirs.slot)), q2 = after(n, theirs.slot);
     const Eigen::Vector3d along =
         s_.polygon->position(perimeter.next(mine.slot)) - s_.polygon->position(mine.slot);
-    const double length2 = along.dot(along), least = kLeastSteps * e_.step * std::sqrt(length2);
+    const double length2 = along.dot(along),
+                 least = kLeastKeptSteps * complex_.setting().step * std::sqrt(length2);
     if (along.dot(p2 - p1) < least || along.dot(q2 - q1) < least) return false;
     return std::min(along.dot(p2), along.dot(q2)) - std::max(along.dot(p1), along.dot(q1)) >= least;
   }
@@ -170,26 +170,22 @@ class Repositioning {
     return edit;
   }
 
-  void commit() {
-    for (const auto& [segment, edit] : edits_) e_.at(segment).polygon->perimeter.commit(edit, e_.edge_ids);
-    for (const auto& [segment, edit] : edits_) perimeter_changed(e_, e_.at(segment));
-  }
-
-  Engine& e_;
-  Segment& s_;
+  Complex& complex_;
+  const EdgeTable& table_;
+  const Segment& s_;
   std::vector<EdgeId>& edges_;  ///< those still shared
   std::map<std::uint32_t, std::map<Slot, Point2>> moves_;
-  std::vector<std::pair<std::uint32_t, geometry::Edit>> edits_;
+  Transaction transaction_;
 };
 
 }  // namespace
 
-void reposition(Engine& e, Segment& s, std::vector<EdgeId> edges) {
+void reposition(Complex& complex, const Segment& s, std::vector<EdgeId> edges) {
   if (edges.empty()) return;
   std::sort(edges.begin(), edges.end());
-  with_ends_apart(e, [&] {
-    Repositioning(e, s, edges).run();
-    note_ends(e, edges);
+  complex.with_ends_apart([&] {
+    Repositioning(complex, s, edges).run();
+    complex.note_ends(edges);
   });
 }
 

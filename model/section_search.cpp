@@ -18,15 +18,15 @@ std::pair<double, double> range(const LineChain& chain) {
 }
 
 /// By identity: the ends of a corresponding pair are at one place, that of a's copy.
-void match_places(const Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
+void match_places(const Complex& complex, const Segment& a, const Segment& b, const CommonLine& line,
                   std::vector<LineChain>& chains_b) {
-  const LineView view(e, *a.polygon, line);
+  const LineView view(complex.setting(), *a.polygon, line);
   const auto place_on_a = [&](geometry::Slot s) { return view.station(s).place; };
   for (LineChain& chain : chains_b)
     for (std::size_t i = 0; i < chain.edges.size(); ++i) {
       const auto& node = b.polygon->perimeter.node(chain.edges[i]);
       if (!node.shared) continue;
-      const geometry::Slot mine = across(e, node.edge).slot;
+      const geometry::Slot mine = complex.edges().across(node.edge).slot;
       chain.stations[i].place = place_on_a(a.polygon->perimeter.next(mine));
       chain.stations[i + 1].place = place_on_a(mine);
     }
@@ -34,31 +34,31 @@ void match_places(const Engine& e, const Segment& a, const Segment& b, const Com
 
 }  // namespace
 
-std::optional<PairOfChains> chains_of_both(const Engine& e, const Segment& a, const Segment& b,
+std::optional<PairOfChains> chains_of_both(const Complex& complex, const Segment& a, const Segment& b,
                                            const CommonLine& line, const LineWindow& window,
                                            const SharingReach& sharing) {
-  const double reach = sharing.section * e.parameters.resolution;
   PairOfChains chains;
-  chains.of_a = line_chains(e, a, b, line, window, reach);
+  chains.of_a = line_chains(complex, a, b, line, window, sharing);
   if (chains.of_a.empty()) return std::nullopt;
-  chains.of_b = line_chains(e, b, a, line, window, reach);
+  chains.of_b = line_chains(complex, b, a, line, window, sharing);
   if (chains.of_b.empty()) return std::nullopt;
-  chains.concavity = concavity_of(e, a, b, line, chains.of_a, chains.of_b);
-  match_places(e, a, b, line, chains.of_b);
+  chains.concavity = concavity_of(complex, a, b, line, chains.of_a, chains.of_b);
+  match_places(complex, a, b, line, chains.of_b);
   return chains;
 }
 
-SectionSearch::SectionSearch(const Engine& e, const Segment& a, const Segment& b, const CommonLine& line,
-                             const SharingReach& reach, const PairOfChains& chains)
-    : e_(e), a_(a), b_(b), line_(line), sign_(chains.concavity == Concavity::convex ? 1 : -1) {
+SectionSearch::SectionSearch(const Complex& complex, const Segment& a, const Segment& b,
+                             const CommonLine& line, const SharingReach& reach, const PairOfChains& chains)
+    : complex_(complex), a_(a), b_(b), line_(line), sign_(chains.concavity == Concavity::convex ? 1 : -1) {
   for (const LineChain& chain : chains.of_a) chains_p_.push_back(turned(chain, false, sign_));
   for (const LineChain& chain : chains.of_b) chains_q_.push_back(turned(chain, true, sign_));
   beyond_p_ = beyond_line(chains_p_);
   beyond_q_ = beyond_line(chains_q_);
   // At the apex of a pyramid opposite faces come within λ of their common line, too, for about as long.
-  const bool neighbours = !edges_between(e, a, b).empty();
-  overshoot_ = reach.section > 1 ? e.parameters.resolution : 0;
-  least_length_ = neighbours ? kLeastSharedSteps * e.step : reach.least * e.parameters.resolution;
+  const bool neighbours = !complex.edges_between(a, b).empty();
+  overshoot_ = reach.section > 1 ? complex.setting().lambda : 0;
+  least_length_ =
+      neighbours ? kLeastSharedSteps * complex.setting().step : reach.least * complex.setting().lambda;
 }
 
 bool SectionSearch::run(SectionUser& user) {
@@ -83,7 +83,7 @@ std::vector<SectionSearch::Beyond> SectionSearch::beyond_line(const std::vector<
 /// Does another chain lie beyond the line there? Then the segment goes on, and what looks like a border on L
 /// is the far side of a hole.
 bool SectionSearch::goes_on_beyond(double begin, double end) const {
-  const double least = kLeastSharedSteps * e_.step;
+  const double least = kLeastSharedSteps * complex_.setting().step;
   const auto meets = [&](const std::vector<Beyond>& beyond, std::size_t own) {
     return std::any_of(beyond.begin(), beyond.end(), [&](const Beyond& w) {
       return w.chain != own && std::min(w.end, end) - std::max(w.begin, begin) > least;
@@ -104,7 +104,7 @@ bool SectionSearch::form(const LineChain& p, const LineChain& q) {
   places_ = {low, high};
   // Where the ends are in the way of each other, as tiny edges around an apex may be, sections end before
   // them.
-  const double trimmed = e_.parameters.resolution / 8;
+  const double trimmed = complex_.setting().lambda / 8;
   if (overshoot_ > 0 && high - low > 4 * trimmed)
     places_.insert(places_.end(), {low + trimmed, high - trimmed});
   for (const LineChain* chain : {&p, &q})
@@ -136,7 +136,7 @@ bool SectionSearch::form_section(double begin, double end) {
 }
 
 Refusal SectionSearch::try_section(double begin, double end) {
-  const double least = kLeastSharedSteps * e_.step;
+  const double least = kLeastSharedSteps * complex_.setting().step;
   if (end - begin < least_length_) return Refusal::short_section;
   if (goes_on_beyond(begin, end)) return Refusal::goes_on;
   const auto p = section_of(p_, begin, end, overshoot_), q = section_of(q_, begin, end, overshoot_);
@@ -146,7 +146,7 @@ Refusal SectionSearch::try_section(double begin, double end) {
   const bool gains = (on_p.open >= least && on_q.open >= least) || on_p.shared.size() >= 2;
   if (!gains) return Refusal::nothing_opposite;
   if (!correspond(on_p.shared, on_q.shared)) return Refusal::other_pairs;
-  if (!gives_way(e_, p_, *p) || !gives_way(e_, q_, *q)) return Refusal::bay;
+  if (!gives_way(complex_.setting(), p_, *p) || !gives_way(complex_.setting(), q_, *q)) return Refusal::bay;
   // An end that is anchored on one side only would leave the copies apart.
   if (p->begin_anchored != q->begin_anchored || p->end_anchored != q->end_anchored)
     return Refusal::one_sided_end;
@@ -158,7 +158,7 @@ Refusal SectionSearch::try_section(double begin, double end) {
 bool SectionSearch::correspond(const std::vector<EdgeId>& on_p, const std::vector<EdgeId>& on_q) const {
   if (on_p.size() != on_q.size()) return false;
   return std::all_of(on_p.begin(), on_p.end(), [&](EdgeId edge) {
-    return std::binary_search(on_q.begin(), on_q.end(), e_.shared.at(edge.value).partner);
+    return std::binary_search(on_q.begin(), on_q.end(), complex_.edges().at(edge).partner);
   });
 }
 

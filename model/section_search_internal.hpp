@@ -22,7 +22,7 @@ struct PairOfChains {
   Concavity concavity = Concavity::undecided;
 };
 /// Nothing when one of the two has no chain in the window.
-std::optional<PairOfChains> chains_of_both(const Engine&, const Segment& a, const Segment& b,
+std::optional<PairOfChains> chains_of_both(const Complex&, const Segment& a, const Segment& b,
                                            const CommonLine&, const LineWindow&, const SharingReach&);
 
 /// What is done with the pairs of sections that a search finds.
@@ -39,7 +39,7 @@ class SectionUser {
 class SectionSearch {
  public:
   /// Precondition: the concavity is decided.
-  SectionSearch(const Engine&, const Segment& a, const Segment& b, const CommonLine&, const SharingReach&,
+  SectionSearch(const Complex&, const Segment& a, const Segment& b, const CommonLine&, const SharingReach&,
                 const PairOfChains&);
 
   /// Whether one was formed.
@@ -60,7 +60,7 @@ class SectionSearch {
   bool correspond(const std::vector<geometry::EdgeId>& on_p, const std::vector<geometry::EdgeId>& on_q) const;
   geometry::Point2 seen_in(const Segment&, double place) const;
 
-  const Engine& e_;
+  const Complex& complex_;
   const Segment &a_, &b_;
   const CommonLine& line_;
   double sign_;

@@ -6,14 +6,14 @@
 
 #include <limpet/geometry/predicates.hpp>
 
+#include "voids_internal.hpp"
+
 namespace limpet::model::internal {
 namespace {
 
 using geometry::EdgeId;
 using geometry::Point2;
 using geometry::Slot;
-
-constexpr double kSameSteps = 3;  ///< grid steps: nearer than this a cut is at the vertex itself
 
 /// The point at this place between two stations, or the one of them that it is hardly beside.
 Station between(const Station& a, const Station& b, double place) {
@@ -89,16 +89,16 @@ Content content_of(const Side& side, const Section& section) {
   return content;
 }
 
-bool gives_way(const Engine& e, const Side& side, const Section& section) {
-  const double lambda = e.parameters.resolution, near = lambda / 4;
+bool gives_way(const Setting& setting, const Side& side, const Section& section) {
+  const double lambda = setting.lambda, near = lambda / 4;
   // Of the bay or spur that P is in.
   double area = 0, highest = section.begin.offset, lowest = section.begin.offset;
   std::size_t points = 0;
   Station last = section.begin;
   const auto ends = [&] {
-    const double steps2 = area / (e.step * e.step);
-    const bool bay_goes = highest < lambda || empty_by_chance(e, *side.segment, steps2, points),
-               spur_goes = lowest > -lambda || is_spur(e, -steps2, -lowest / e.step);
+    const double steps2 = area / (setting.step * setting.step);
+    const bool bay_goes = highest < lambda || empty_by_chance(setting, *side.segment, steps2, points),
+               spur_goes = lowest > -lambda || is_spur(setting, -steps2, -lowest / setting.step);
     area = highest = lowest = 0, points = 0;
     return bay_goes && spur_goes;
   };

@@ -47,7 +47,7 @@ Content content_of(const Side&, const Section&);
 
 /// Where the section is farther than λ from L there must be nothing but bays that chance alone leaves (rule
 /// `voids`) and, beyond the line, spurs (rule `spurs`).
-bool gives_way(const Engine&, const Side&, const Section&);
+bool gives_way(const Setting&, const Side&, const Section&);
 
 /// The change of one perimeter: the section gives way to the edge `id` between the chart points l1 and l2.
 geometry::Edit edit_for(const Side&, const Section&, geometry::Point2 l1, geometry::Point2 l2,

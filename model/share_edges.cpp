@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "redundancy_internal.hpp"
 #include "section_search_internal.hpp"
+#include "sharing_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
 
 using geometry::EdgeId;
-
-constexpr int kMaxPairsFormed = 64;  ///< by one look at two segments
 
 /// What came of a look at two segments.
 enum class Formed {
@@ -25,23 +25,19 @@ enum class Formed {
 /// Puts L into both perimeters, or into none.
 class PairFormer : public SectionUser {
  public:
-  PairFormer(Engine& e, Segment& a, Segment& b) : e_(e), a_(a), b_(b) {}
+  PairFormer(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b)
+      : complex_(complex), agenda_(agenda), a_(a), b_(b) {}
 
   Refusal form(const SectionPair& pair) override {
-    const EdgeId id_p = e_.edge_ids.take(), id_q = e_.edge_ids.take();
-    const auto edit_p = edit_for(pair.side_p, pair.p, pair.begin_p, pair.end_p, id_p),
-               edit_q = edit_for(pair.side_q, pair.q, pair.begin_q, pair.end_q, id_q);
-    geometry::Polygon &of_a = a_.polygon->perimeter, &of_b = b_.polygon->perimeter;
-    if (of_a.judge(edit_p) != geometry::Verdict::valid || of_b.judge(edit_q) != geometry::Verdict::valid)
-      return Refusal::perimeter;
-    of_a.commit(edit_p, e_.edge_ids);
-    of_b.commit(edit_q, e_.edge_ids);
-    pair_edges(e_, a_, id_p, b_, id_q);
-    perimeter_changed(e_, a_);
-    perimeter_changed(e_, b_);
-    e_.changes.push_back({Change::Kind::shared, a_.id, b_.id, {}, {id_p, id_q}});
-    formed_ =
-        pair.joins || order_stays(e_, id_p) || keeps_order(id_p) ? Formed::in_order : Formed::disordered;
+    const EdgeId id_p = complex_.edge_ids().take(), id_q = complex_.edge_ids().take();
+    Transaction transaction;
+    transaction.edits.emplace_back(a_.slot, edit_for(pair.side_p, pair.p, pair.begin_p, pair.end_p, id_p));
+    transaction.edits.emplace_back(b_.slot, edit_for(pair.side_q, pair.q, pair.begin_q, pair.end_q, id_q));
+    transaction.pairs.emplace_back(id_p, id_q);
+    if (!complex_.commit(transaction)) return Refusal::perimeter;
+    complex_.tell_shared(a_, b_, id_p, id_q);
+    formed_ = pair.joins || order_stays(complex_, id_p) || keeps_order(id_p) ? Formed::in_order
+                                                                             : Formed::disordered;
     return Refusal::none;
   }
 
@@ -51,41 +47,43 @@ class PairFormer : public SectionUser {
   /// An edge that breaks an order goes again, and the two form no other before the next set. (The thesis
   /// dissolves all that the two share, §2.6; but the order held before.)
   bool keeps_order(EdgeId edge) {
-    if (!is_disordered(e_, a_) && !is_disordered(e_, b_)) return true;
-    e_.disordered.insert(std::minmax(a_.id, b_.id));
-    unshare(e_, edge);
+    if (!is_disordered(complex_, a_) && !is_disordered(complex_, b_)) return true;
+    agenda_.note_disorder(a_.id, b_.id);
+    complex_.unshare(edge);
     return false;
   }
 
-  Engine& e_;
-  Segment &a_, &b_;
+  Complex& complex_;
+  Agenda& agenda_;
+  const Segment &a_, &b_;
   Formed formed_ = Formed::none;
 };
 
 /// Forms one pair of shared edges, if one can be: the longest.
-Formed share_once(Engine& e, Segment& a, Segment& b, const CommonLine& line, const LineWindow& window) {
-  const auto chains = chains_of_both(e, a, b, line, window, e.sharing);
+Formed share_once(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b,
+                  const CommonLine& line, const LineWindow& window) {
+  const auto chains = chains_of_both(complex, a, b, line, window, agenda.sharing);
   if (!chains) return Formed::not_near;
   if (chains->concavity == Concavity::undecided) return Formed::none;
-  PairFormer former(e, a, b);
-  SectionSearch(e, a, b, line, e.sharing, *chains).run(former);
+  PairFormer former(complex, agenda, a, b);
+  SectionSearch(complex, a, b, line, agenda.sharing, *chains).run(former);
   return former.formed();
 }
 
-bool may_share(const Engine& e, const Segment& s) { return s.polygon && (e.finishing || !s.young()); }
+bool may_share(const Agenda& agenda, const Segment& s) {
+  return s.polygon && (agenda.finishing || !s.young());
+}
 
 /// The pieces of a window where the line comes near places where s has changed, and some way on.
-std::vector<LineWindow> changed_windows(const Engine& e, const CommonLine& line, const LineWindow& window,
-                                        const Places& places) {
-  constexpr double kOn = 2;  // λ: so far sections may reach beyond what has changed, at a time
-  const double lambda = e.parameters.resolution;
+std::vector<LineWindow> changed_windows(double lambda, const SharingReach& sharing, const CommonLine& line,
+                                        const LineWindow& window, const Places& places) {
+  const double on = kSectionReachOn * lambda;
   std::vector<LineWindow> result;
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(e.sharing.section * lambda);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(sharing.section * lambda);
   for (const Box3& box : places.boxes()) {
     LineWindow piece = window;
     if (!clip(piece, line, Box3(box.min() - reach, box.max() + reach))) continue;
-    result.push_back(
-        {std::max(window.begin, piece.begin - kOn * lambda), std::min(window.end, piece.end + kOn * lambda)});
+    result.push_back({std::max(window.begin, piece.begin - on), std::min(window.end, piece.end + on)});
   }
   std::sort(result.begin(), result.end(),
             [](const LineWindow& p, const LineWindow& q) { return p.begin < q.begin; });
@@ -98,78 +96,67 @@ std::vector<LineWindow> changed_windows(const Engine& e, const CommonLine& line,
   return joined;
 }
 
-bool share_pair(Engine& e, Segment& a, Segment& b, const Places& places) {
-  if (e.disordered.count(std::minmax(a.id, b.id))) return false;
-  const auto line = line_between(e, *a.polygon, *b.polygon);
+bool share_pair(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b, const Places& places) {
+  if (agenda.in_disorder(a.id, b.id)) return false;
+  const Setting& setting = complex.setting();
+  const auto line = line_between(setting, *a.polygon, *b.polygon);
   if (!line) return false;
   int count = 0;
   bool attempted = false, disordered = false;
-  for (const LineWindow& piece : changed_windows(e, line->line, line->window, places))
+  for (const LineWindow& piece :
+       changed_windows(setting.lambda, agenda.sharing, line->line, line->window, places))
     while (count < kMaxPairsFormed && !disordered) {
-      const Formed formed = share_once(e, a, b, line->line, piece);
+      const Formed formed = share_once(complex, agenda, a, b, line->line, piece);
       attempted |= formed != Formed::not_near;
       disordered = formed == Formed::disordered;
       if (formed != Formed::in_order) break;
       ++count;
     }
-  if (count == 0 && attempted && edges_between(e, a, b).empty()) note_if_redundant(e, a, b);
+  if (count == 0 && attempted && complex.edges_between(a, b).empty())
+    note_if_redundant(setting, agenda, a, b);
   return count > 0;
 }
 
 /// Is it time to look at a polygon that has changed? Where perimeters still grow, most looks are in vain, so
 /// it is looked at again when it has a thirty-second part more points.
-bool is_due(const Engine& e, const Segment& s) {
-  return may_share(e, s) && (e.finishing || s.moments.count() >= s.polygon->next_share);
+bool is_due(const Agenda& agenda, const Segment& s) {
+  return may_share(agenda, s) && (agenda.finishing || s.count() >= agenda.polygon(s.slot).next_share);
 }
 
 /// Which pairs are to be looked at, and where, because of what has changed.
-void note_looks_due(Engine& e) {
-  constexpr int kWaitingSeen = 8;  // of those that wait, in a set; they have most often been modified, too
-  for (int i = 0; i < kWaitingSeen && !e.share_later.empty(); ++i) {
-    e.to_share.push_back(e.share_later.front());
-    e.share_later.pop_front();
-    if (Segment* s = e.segments[e.to_share.back()].get(); s && s->polygon) s->polygon->shared_later = false;
-  }
-  const Turn turn =
-      polygons_of(e, e.to_share, [](const PolygonPart& part) { return !part.unshared.empty(); });
-  e.to_share.clear();
+void note_looks_due(const Complex& complex, Agenda& agenda) {
+  const Turn turn = polygons_of(complex, agenda.take_to_share(),
+                                [&](const Segment& s) { return !agenda.polygon(s.slot).unshared.empty(); });
   for (const auto& [id, slot] : turn) {
-    Segment& s = e.at(slot);
-    if (!is_due(e, s)) {
-      if (!std::exchange(s.polygon->shared_later, true)) e.share_later.push_back(slot);
+    const Segment& s = complex.at(slot);
+    if (!is_due(agenda, s)) {
+      agenda.wait_to_share(slot);
       continue;
     }
-    s.polygon->next_share = s.moments.count() + s.moments.count() / 32;
-    const Places changed = std::exchange(s.polygon->unshared, {});
-    for (const auto& [other_id, other] : polygons_near(e, changed, slot)) {
-      if (!may_share(e, e.at(other))) continue;
-      Places& where = e.looks_due[std::minmax(slot, other)];
+    PolygonDue& due = agenda.polygon(slot);
+    due.next_share = s.count() + s.count() / kGrowthPart;
+    const Places changed = std::exchange(due.unshared, {});
+    for (const auto& [other_id, other] : polygons_near(complex, changed, slot)) {
+      if (!may_share(agenda, complex.at(other))) continue;
+      Places& where = agenda.look_due(std::minmax(slot, other));
       for (const Box3& place : changed.boxes())
-        if (e.at(other).indexed.intersects(place)) where.add(place);
+        if (complex.at(other).indexed.intersects(place)) where.add(place);
     }
   }
-}
-
-/// Takes the next look from those that are due, in turn.
-std::pair<SlotPair, Places> next_look(Engine& e) {
-  auto next = e.looks_due.upper_bound(e.last_look);
-  if (next == e.looks_due.end()) next = e.looks_due.begin();
-  e.last_look = next->first;
-  return {next->first, std::move(e.looks_due.extract(next).mapped())};
 }
 
 }  // namespace
 
-bool share_modified(Engine& e) {
-  if (!e.parameters.neighbours) return false;
-  note_looks_due(e);
-  // A large polygon asks for many looks at once: they are spread over the sets, one for every four points.
-  std::int64_t looks = 4 + (e.counts.points - std::exchange(e.looked_at, e.counts.points)) / 4;
+bool share_modified(Complex& complex, Agenda& agenda) {
+  if (!complex.setting().parameters.neighbours) return false;
+  note_looks_due(complex, agenda);
+  std::int64_t looks = agenda.looks_for(complex.now());
   bool any = false;
-  while (!e.looks_due.empty() && (e.finishing || looks-- > 0)) {
-    const auto [pair, places] = next_look(e);
-    Segment *a = e.segments[pair.first].get(), *b = e.segments[pair.second].get();
-    if (a && b && may_share(e, *a) && may_share(e, *b)) any |= share_pair(e, *a, *b, places);
+  while (agenda.looks_due() && (agenda.finishing || looks-- > 0)) {
+    const auto [pair, places] = agenda.take_look();
+    const Segment *a = complex.in_slot(pair.first), *b = complex.in_slot(pair.second);
+    if (a && b && may_share(agenda, *a) && may_share(agenda, *b))
+      any |= share_pair(complex, agenda, *a, *b, places);
   }
   return any;
 }

@@ -9,11 +9,12 @@
 #include <limpet/model/digest.hpp>
 
 #include "describe_internal.hpp"
+#include "state_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
 
-constexpr std::string_view kMagic = "limpet model state 1 ";  ///< then the arithmetic and a line's end
+constexpr std::string_view kMagic = "limpet model state 2 ";  ///< then the arithmetic and a line's end
 constexpr std::size_t kDigestBytes = 8;
 
 std::string head() { return std::string(kMagic) + geometry::arithmetic() + "\n"; }
@@ -25,87 +26,79 @@ std::uint64_t digest_of(std::string_view bytes) {
 }
 
 using Age = std::pair<std::int64_t, SegmentId>;
-using Refused = std::map<std::pair<SegmentId, SegmentId>, std::pair<std::uint64_t, std::uint64_t>>;
-
-bool lives(const Engine& e, SegmentId id) { return e.slot_of.count(id.value) > 0; }
 
 /// Only point segments expire, and a polygon never becomes one.
 std::deque<Age> ages_that_matter(const Engine& e) {
   std::deque<Age> ages;
-  std::copy_if(e.by_age.begin(), e.by_age.end(), std::back_inserter(ages), [&](const Age& age) {
-    const auto entry = e.slot_of.find(age.second.value);
-    return entry != e.slot_of.end() && !e.at(entry->second).polygon;
+  const auto& all = Storage::by_age(e.agenda);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(ages), [&](const Age& age) {
+    const Segment* s = e.complex.find(age.second);
+    return s && !s->polygon;
   });
   return ages;
 }
 
-Refused refusals_that_matter(const Engine& e) {
-  Refused refused = e.refused_pairs;
-  std::erase_if(refused,
-                [&](const auto& r) { return !lives(e, r.first.first) || !lives(e, r.first.second); });
+auto refusals_that_matter(const Engine& e) {
+  auto refused = Storage::refused(e.agenda);
+  std::erase_if(refused, [&](const auto& r) {
+    return !e.complex.find(r.first.first) || !e.complex.find(r.first.second);
+  });
   return refused;
 }
 
-std::map<geometry::EdgeId, SharedEdge> shared_in_order(const Engine& e) {
-  std::map<geometry::EdgeId, SharedEdge> shared;
-  for (const auto& [edge, entry] : e.shared) shared.emplace(geometry::EdgeId{edge}, entry);
-  return shared;
-}
-
-/// Segments know their places, and are found by identity and by place.
-void list_segments(Engine& e) {
-  for (std::uint32_t slot = 0; slot < e.segments.size(); ++slot) {
-    Segment* s = e.segments[slot].get();
-    if (!s) continue;
-    s->slot = slot;
-    if (!e.slot_of.emplace(s->id.value, slot).second) Reader::refuse("has two segments of one identity");
+/// The worklists of the segments in their slots, and none of the free ones.
+template <class Archive, class AnyAgenda>
+void describe_dues(Archive& archive, const Complex& complex, AnyAgenda& agenda) {
+  for (std::uint32_t slot = 0; slot < complex.segments().slot_count(); ++slot) {
+    if constexpr (Archive::kReads) agenda.opened(slot);
+    if (complex.in_slot(slot)) Storage::describe_due(archive, agenda, slot);
   }
 }
 
-void list_shared(Engine& e, const std::map<geometry::EdgeId, SharedEdge>& shared) {
-  for (const auto& [edge, entry] : shared) {
-    e.shared.emplace(edge.value, entry);
-    if (entry.segment < e.segments.size() && e.segments[entry.segment] && e.at(entry.segment).polygon)
-      e.at(entry.segment).polygon->shared.push_back(edge);  // in ascending order
-  }
-}
-
-void fill_indices(Engine& e) {
-  for (const auto& s : e.segments)
-    if (s) (s->polygon ? e.polygons : e.points).insert(s->indexed, s->slot);
-}
+[[noreturn]] void refuse(const char* what) { Reader::refuse(what); }
+[[noreturn]] void refuse_edge(geometry::EdgeId) { Reader::refuse("has a shared edge without a partner"); }
 
 }  // namespace
 
 std::string to_state(const Engine& e) {
   Writer writer;
   writer.append(head());
-  writer(e.parameters, e, ages_that_matter(e), refusals_that_matter(e), e.labels, shared_in_order(e));
+  writer(e.setting.parameters, e, e.insertion.pending());
+  describe_dues(writer, e.complex, e.agenda);
+  writer(ages_that_matter(e), refusals_that_matter(e), Storage::partners(e.complex), e.labels.kept(),
+         e.labels.settled(e.complex.segments()), Storage::successors(e.successors));
   writer(digest_of(writer.bytes()));
   return std::move(writer.bytes());
 }
 
-Engine from_state(std::string_view bytes) {
+StoredState::StoredState(std::string_view bytes) {
   if (!bytes.starts_with(kMagic)) Reader::refuse("is of another version, or no such thing");
   if (!bytes.starts_with(head())) Reader::refuse("is of another arithmetic");
   if (bytes.size() < head().size() + kDigestBytes) Reader::refuse("ends too early");
   const std::string_view body = bytes.substr(0, bytes.size() - kDigestBytes);
   if (Reader(bytes.substr(body.size())).word(kDigestBytes) != digest_of(body))
     Reader::refuse("is damaged: its digest is another");
-
   Reader reader(body.substr(head().size()));
-  Parameters parameters;
-  reader(parameters);
-  Engine e(parameters);
-  std::map<geometry::EdgeId, SharedEdge> shared;
-  reader(e, e.by_age, e.refused_pairs, e.labels, shared);
+  reader(parameters_);
+  rest_ = reader.take(reader.left());
+}
+
+void StoredState::restore(Engine& e) const {
+  Reader reader(rest_);
+  reader(e, e.insertion.pending());
+  describe_dues(reader, e.complex, e.agenda);
+  std::map<geometry::EdgeId, geometry::EdgeId> partners;
+  std::map<SegmentId, SegmentId> successors;
+  bool labels_kept = false;
+  reader(Storage::by_age(e.agenda), Storage::refused(e.agenda), partners, labels_kept,
+         Storage::labels(e.labels), successors);
   if (reader.left() > 0) Reader::refuse("goes on behind its end");
-  list_segments(e);
-  list_shared(e, shared);
-  require_sound(e);
-  list_all_pairs(e);
-  fill_indices(e);
-  return e;
+  if (labels_kept) e.labels.keep();
+  Storage::list_segments(e.complex, refuse);
+  require_sound(e, successors);
+  Storage::pair_edges(e.complex, partners, refuse_edge);
+  Storage::set_successors(e.successors, successors);
+  Storage::fill_index(e.complex);
 }
 
 }  // namespace limpet::model::internal

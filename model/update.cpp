@@ -4,25 +4,30 @@
 #include <cmath>
 #include <utility>
 
+#include "dissolve_internal.hpp"
 #include "engine_internal.hpp"
+#include "fissures_internal.hpp"
+#include "initial_internal.hpp"
+#include "merging_internal.hpp"
+#include "promotion_internal.hpp"
+#include "publish_internal.hpp"
+#include "redundancy_internal.hpp"
+#include "sharing_internal.hpp"
+#include "voids_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
 
-constexpr int kMaxMergeRounds = 50;
-constexpr int kMaxFinishRounds = 20;
-constexpr std::int64_t kSmall = 5;  ///< point segments below this may expire
-
 /// The reading on the model's grid, or nothing when it is no point.
-std::optional<RawPoint> on_grid(const Engine& e, const SensorPoint& reading) {
+std::optional<RawPoint> on_grid(const Setting& setting, const SensorPoint& reading) {
   RawPoint raw;
   const double length2 = reading.axis.dot(reading.axis);
   if (!(length2 > 0) || !std::isfinite(length2)) return std::nullopt;
   raw.axis = reading.axis / std::sqrt(length2);
-  raw.variance = e.variance_at(reading.range);
+  raw.variance = setting.variance_at(reading.range);
   if (!std::isfinite(raw.variance)) return std::nullopt;
   for (int i = 0; i < 3; ++i) {
-    const double steps = std::floor(reading.position[i] / e.step + 0.5);
+    const double steps = std::floor(reading.position[i] / setting.step + 0.5);
     if (!(std::abs(steps) <= static_cast<double>(kMaxSteps))) return std::nullopt;
     raw.at[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(steps);
   }
@@ -32,112 +37,94 @@ std::optional<RawPoint> on_grid(const Engine& e, const SensorPoint& reading) {
 /// Step 1, and step 2a for points: each reading becomes a point segment that merges with its best neighbour.
 void insert_readings(Engine& e, std::span<const SensorPoint> set) {
   for (const SensorPoint& reading : set) {
-    auto raw = on_grid(e, reading);
-    if (e.labels_kept) e.labels.push_back(0);
+    auto raw = on_grid(e.setting, reading);
+    const std::int64_t serial = e.labels.add();
     if (!raw) {
       ++e.counts.refused;
       continue;
     }
-    if (e.labels_kept) raw->serial = static_cast<std::int64_t>(e.labels.size()) - 1;
-    ++e.counts.points;
-    insert_point(e, *raw);
-    insert_pending(e);
+    raw->serial = serial;
+    e.complex.tick();
+    e.insertion.insert(*raw);
   }
+  e.clock.lap(&StageTimes::insertion);
 }
 
 /// Steps 2 and 3; whether anything changed.
 bool mergers_and_fissures(Engine& e) {
-  bool any = dissolve_young(e);
-  e.stage_clock.lap(&StageTimes::dissolving);
-  for (int round = 0; round < kMaxMergeRounds && merge_modified_polygons(e); ++round) any = true;
-  e.stage_clock.lap(&StageTimes::mergers);
-  any |= fill_modified(e);
-  e.stage_clock.lap(&StageTimes::fissures);
+  bool any = dissolve_young(e.complex, e.agenda, e.insertion);
+  e.clock.lap(&StageTimes::dissolving);
+  for (int round = 0; round < kMaxMergeRounds && merge_modified_polygons(e.complex, e.agenda); ++round)
+    any = true;
+  e.clock.lap(&StageTimes::mergers);
+  any |= fill_modified(e.complex, e.agenda);
+  e.clock.lap(&StageTimes::fissures);
   return any;
 }
 
 /// Steps 4 and 5; whether anything changed.
 bool shared_edges_and_corners(Engine& e) {
-  bool any = share_modified(e);
-  any |= form_corners_of_modified(e);
-  any |= delete_redundant(e);
-  e.stage_clock.lap(&StageTimes::sharing);
+  bool any = share_modified(e.complex, e.agenda);
+  any |= form_corners_of_modified(e.complex, e.agenda);
+  any |= delete_redundant(e.complex, e.agenda, e.labels, e.counts);
+  e.clock.lap(&StageTimes::sharing);
   return any;
 }
 
-/// Step 6.
-void clear_flags(Engine& e) {
-  for (const std::uint32_t slot : e.modified)
-    if (e.segments[slot]) e.segments[slot]->modified = false;
-  e.modified.clear();
-}
-
 void expire_outliers(Engine& e) {
-  if (!e.rules().expiry) return;
-  while (!e.by_age.empty() && e.by_age.front().first + e.parameters.outlier_patience < e.counts.points) {
-    const auto [joined, id] = e.by_age.front();
-    e.by_age.pop_front();
-    Segment* s = e.find(id);
+  if (!e.setting.rules().expiry) return;
+  const std::int64_t before = e.complex.now() - e.setting.parameters.outlier_patience;
+  while (const auto aged = e.agenda.take_aged(before)) {
+    const auto [joined, id] = *aged;
+    const Segment* s = e.complex.find(id);
     if (!s || s->polygon) continue;
-    const bool idle = s->last_joined == joined && s->moments.count() < kSmall;
-    if (!idle && !(e.rules().arrival && points_came_too_slowly(e, *s))) continue;
-    e.counts.expired += s->moments.count();
-    e.changes.push_back({Change::Kind::deleted, s->id, {}, {}, {}});
-    erase_segment(e, *s);
-  }
-}
-
-void release_all_point_segments(Engine& e) {
-  std::vector<SegmentId> ids;
-  for (const auto& s : e.segments)
-    if (s && !s->polygon && s->young()) ids.push_back(s->id);
-  std::sort(ids.begin(), ids.end());
-  for (const SegmentId id : ids) {
-    Segment* s = e.find(id);
-    if (!s || s->polygon || !s->young()) continue;  // a point released before may have made it a polygon
-    release_points(e, *s, false);
-    insert_pending(e);
+    const bool idle = s->data.last_joined() == joined && s->count() < kFewestKept;
+    if (!idle && !(e.setting.rules().arrival && points_came_too_slowly(e.complex, *s))) continue;
+    e.counts.expired += s->count();
+    e.complex.remove(*s);
   }
 }
 
 bool drop_all_chance_holes(Engine& e) {
   bool any = false;
-  if (e.rules().voids)
-    for (const auto& s : e.segments)
-      if (s && s->polygon) any |= drop_chance_holes(e, *s);
+  if (e.setting.rules().voids)
+    e.complex.segments().for_each([&](const Segment& s) {
+      if (s.polygon) any |= drop_chance_holes(e.complex, s);
+    });
   return any;
 }
 
 /// Marks what the last round left changed.
 void mark_changed(Engine& e) {
-  for (const auto& s : e.segments)
-    if (s && s->polygon &&
-        !(s->polygon->changed.empty() && s->polygon->fresh.empty() && s->polygon->unshared.empty() &&
-          s->polygon->corners_due.empty()))
-      mark_modified(e, *s);
+  e.complex.segments().for_each([&](const Segment& s) {
+    if (!s.polygon) return;
+    const PolygonDue& due = e.agenda.polygon(s.slot);
+    if (!(due.changed.empty() && due.fresh.empty() && due.unshared.empty() && due.corners_due.empty()))
+      e.agenda.mark_modified(s.slot);
+  });
 }
 
 void mark_all(Engine& e) {
-  for (const auto& s : e.segments) {
-    if (!s) continue;
-    mark_modified(e, *s);
-    if (!s->polygon) continue;
-    s->polygon->changed.add(s->polygon->box);
-    s->polygon->unshared = e.parameters.neighbours ? Places(s->polygon->box) : Places();
-    s->polygon->corners_due = s->polygon->shared;
-    s->polygon->fresh.clear();
-    for (std::uint32_t i = 0; i < s->polygon->perimeter.slot_count(); ++i)
-      if (const geometry::Slot slot{i}; s->polygon->perimeter.alive(slot))
-        s->polygon->fresh.emplace_back(slot, s->polygon->perimeter.node(slot).edge);
-  }
+  e.complex.segments().for_each([&](const Segment& s) {
+    e.agenda.mark_modified(s.slot);
+    if (!s.polygon) return;
+    const PolygonPart& part = *s.polygon;
+    PolygonDue& due = e.agenda.polygon(s.slot);
+    due.changed.add(part.box);
+    due.unshared = e.setting.parameters.neighbours ? Places(part.box) : Places();
+    due.corners_due = part.shared;
+    due.fresh.clear();
+    for_each_edge(part.perimeter,
+                  [&](geometry::Slot slot) { due.fresh.emplace_back(slot, part.perimeter.node(slot).edge); });
+  });
 }
 
 void until_nothing_changes(Engine& e) {
-  e.disordered.clear();
+  e.agenda.forget_disorder();
   for (int round = 0; round < kMaxFinishRounds; ++round) {
     const bool any = mergers_and_fissures(e) || drop_all_chance_holes(e) || shared_edges_and_corners(e);
-    clear_flags(e);
-    e.stage_clock.lap(&StageTimes::rest);
+    e.agenda.clear_modified();
+    e.clock.lap(&StageTimes::rest);
     if (!any) break;
     mark_changed(e);
   }
@@ -146,51 +133,76 @@ void until_nothing_changes(Engine& e) {
 /// What is still open may be so by chance: sections are looked for farther from their lines. Then short edges
 /// may make neighbours, too, where long ones have not met in a corner.
 void close_what_is_open(Engine& e) {
-  const SharingReach last = last_reach(e);
-  for (const SharingReach& reach : {SharingReach{last.section, e.sharing.least}, last}) {
-    const SharingReach before = std::exchange(e.sharing, reach);
+  const SharingReach last = last_reach(e.setting.rules());
+  for (const SharingReach& reach : {SharingReach{last.section, e.agenda.sharing.least, true},
+                                    SharingReach{last.section, last.least, true}}) {
+    const SharingReach before = std::exchange(e.agenda.sharing, reach);
     mark_all(e);
     until_nothing_changes(e);
-    e.sharing = before;
+    e.agenda.sharing = before;
   }
+}
+
+void begin_call(Engine& e) {
+  e.complex.forget_changes();
+  e.clock.start();
+}
+
+void end_call(Engine& e) {
+  e.labels.follow(e.complex.changes());
+  e.labels.tidy(e.complex.segments());
+  e.successors.follow(e.complex.changes());
+  e.complex.settle_surfaces();
 }
 
 }  // namespace
 
-SharingReach last_reach(const Engine& e) { return {e.rules().voids ? 5.0 : 1.0, 0.25}; }
+SharingReach last_reach(const Rules& rules) {
+  return {rules.voids ? kLastSectionReach : kSectionReach, kLastLeastNeighbours};
+}
+
+void add_initial_faces(Engine& e, std::span<const InitialFace> faces) {
+  begin_call(e);
+  try {
+    for (std::size_t i = 0; i < faces.size(); ++i) add_initial(e.complex, i, faces[i]);
+  } catch (...) {  // those before the one that is refused stay
+    end_call(e);
+    throw;
+  }
+  end_call(e);
+}
 
 void update_set(Engine& e, std::span<const SensorPoint> set) {
-  e.changes.clear();
-  e.disordered.clear();
-  e.stage_clock.start();
+  begin_call(e);
+  e.agenda.forget_disorder();
   insert_readings(e, set);
-  e.stage_clock.lap(&StageTimes::insertion);
   mergers_and_fissures(e);
   shared_edges_and_corners(e);
-  clear_flags(e);
+  e.agenda.clear_modified();  // step 6
   expire_outliers(e);
-  e.stage_clock.lap(&StageTimes::rest);
+  end_call(e);
+  e.clock.lap(&StageTimes::rest);
   ++e.counts.sets;
 }
 
 void finish(Engine& e) {
-  e.changes.clear();
-  if (!e.rules().finish) return;
-  e.stage_clock.start();
-  e.finishing = true;
-  for (const auto& s : e.segments)
-    if (s && s->polygon) refit(e, *s);
-  for (const auto& s : e.segments)  // the model has grown since: all points may try again
-    if (s)
-      for (RawPoint& raw : s->raw) raw.returned = 0;
-  release_slow_polygons(e);
-  release_all_point_segments(e);
-  mark_all(e);
-  e.refused_pairs.clear();
-  e.stage_clock.lap(&StageTimes::rest);
-  until_nothing_changes(e);
-  if (e.parameters.neighbours) close_what_is_open(e);
-  e.finishing = false;
+  begin_call(e);
+  if (e.setting.rules().finish) {
+    e.agenda.finishing = e.agenda.sharing.from_shared = true;
+    e.complex.segments().for_each([&](const Segment& s) {
+      if (s.polygon) refit(e.complex, e.agenda, s);
+    });
+    e.complex.allow_returns();  // the model has grown since: all points may try again
+    release_slow_polygons(e.complex, e.insertion);
+    release_all_point_segments(e.complex, e.insertion);
+    mark_all(e);
+    e.agenda.forget_refusals([](const SegmentPair&) { return true; });
+    e.clock.lap(&StageTimes::rest);
+    until_nothing_changes(e);
+    if (e.setting.parameters.neighbours) close_what_is_open(e);
+    e.agenda.finishing = e.agenda.sharing.from_shared = false;
+  }
+  end_call(e);
 }
 
 }  // namespace limpet::model::internal

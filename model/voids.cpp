@@ -2,12 +2,14 @@
 //
 // Holes that are only places where by chance no sensor point fell. At five points per λ² an empty disc wider
 // than λ is no rarity, and a perimeter grows around it.
+#include "voids_internal.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include <limpet/geometry/measure.hpp>
 
-#include "engine_internal.hpp"
+#include "series_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -37,25 +39,25 @@ bool empty_by_chance(double area, std::size_t k, std::int64_t m, double density,
          natural_log(1000.0 * static_cast<double>(m)) + static_cast<double>(k) * natural_log(choices);
 }
 
-bool empty_by_chance(const Engine& e, const Segment& s, double area, std::size_t k) {
-  const auto m = s.moments.count();
+bool empty_by_chance(const Setting& setting, const Segment& s, double area, std::size_t k) {
+  const auto m = s.count();
   if (m == 0) return false;
-  return empty_by_chance(area, k, m, static_cast<double>(m) / s.polygon->perimeter.area(), e.gap);
+  return empty_by_chance(area, k, m, static_cast<double>(m) / s.polygon->perimeter.area(), setting.gap);
 }
 
-bool is_spur(const Engine& e, double area, double depth) {
-  return e.rules().spurs && std::abs(area) < e.gap / 2 * std::max(depth, 2 * e.gap);
+bool is_spur(const Setting& setting, double area, double depth) {
+  return setting.rules().spurs && std::abs(area) < setting.gap / 2 * std::max(depth, 2 * setting.gap);
 }
 
-bool drop_chance_holes(Engine& e, Segment& s) {
-  geometry::Polygon& perimeter = s.polygon->perimeter;
-  if (perimeter.hole_count() == 0 || s.moments.count() == 0) return false;
+bool drop_chance_holes(Complex& complex, const Segment& s) {
+  const geometry::Polygon& perimeter = s.polygon->perimeter;
+  if (perimeter.hole_count() == 0 || s.count() == 0) return false;
   std::vector<geometry::CycleId> small;
   for (std::uint32_t i = 0; i < perimeter.cycles().size(); ++i) {
     const auto& cycle = perimeter.cycles()[i];
     if (cycle.size > 0 && cycle.hole && !all_shared(perimeter, cycle)) small.push_back(geometry::CycleId{i});
   }
-  const auto m = s.moments.count();
+  const auto m = s.count();
   geometry::Edit edit;
   // The density is that of the area without the holes that matter, which are not known before: as they go, it
   // rises, and others turn out not to be chance.
@@ -64,14 +66,18 @@ bool drop_chance_holes(Engine& e, Segment& s) {
     const double density = static_cast<double>(m) / area_with(perimeter, small);
     std::erase_if(small, [&](geometry::CycleId id) {
       const auto& cycle = perimeter.cycle(id);
-      return !empty_by_chance(-geometry::signed_area(perimeter, cycle), cycle.size, m, density, e.gap);
+      return !empty_by_chance(-geometry::signed_area(perimeter, cycle), cycle.size, m, density,
+                              complex.setting().gap);
     });
   }
   edit.removed_cycles = small;
-  if (edit.removed_cycles.empty() || perimeter.change(edit, e.edge_ids) != geometry::Verdict::valid)
-    return false;
-  e.changes.push_back({Change::Kind::edges_removed, {}, {}, s.id, boundary_changed(e, s).removed});
-  description_changed(e, s, s.polygon->box);
+  if (edit.removed_cycles.empty()) return false;
+  auto [verdict, difference] = complex.change_perimeter(
+      s, false,
+      [&](geometry::Polygon& polygon, geometry::EdgeIds& ids) { return polygon.change(edit, ids); });
+  if (verdict != geometry::Verdict::valid) return false;
+  complex.tell(s, std::move(difference));
+  complex.description_changed(s, s.polygon->box);
   return true;
 }
 

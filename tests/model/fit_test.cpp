@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limpet/model/fit.hpp>
+#include <limpet/model/fit_internal.hpp>
 #include <limpet/simulation/random.hpp>
 
 namespace limpet::model {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include <limpet/model/fit.hpp>
-#include <limpet/model/moments.hpp>
+#include <limpet/model/fit_internal.hpp>
+#include <limpet/model/moments_internal.hpp>
 
 #include "../expect_law.hpp"
 #include "../generators/streams.hpp"

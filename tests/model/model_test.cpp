@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limpet/model/spatial_index.hpp>
+#include <limpet/model/spatial_index_internal.hpp>
 
 #include "streams.hpp"
 

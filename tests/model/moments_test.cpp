@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limpet/model/moments.hpp>
+#include <limpet/model/moments_internal.hpp>
 #include <limpet/simulation/random.hpp>
 
 namespace limpet::model {

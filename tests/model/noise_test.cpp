@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include <limpet/model/fit.hpp>
-#include <limpet/model/moments.hpp>
+#include <limpet/model/fit_internal.hpp>
+#include <limpet/model/moments_internal.hpp>
 
 #include "streams.hpp"
 

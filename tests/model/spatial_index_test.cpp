@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limpet/model/spatial_index.hpp>
+#include <limpet/model/spatial_index_internal.hpp>
 #include <limpet/simulation/random.hpp>
 
 namespace limpet::model {

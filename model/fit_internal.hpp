@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include <limpet/geometry/chart.hpp>
-#include <limpet/model/moments.hpp>
+#include <limpet/model/moments_internal.hpp>
 
 namespace limpet::model {
 

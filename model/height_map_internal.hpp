@@ -11,9 +11,9 @@
 
 namespace limpet::model::internal {
 
-/// How a surface lies about its plane: real table tops bend by several times the noise. Sums over the sensor
-/// points in each square of a lattice on a polygon's chart; grid steps.
-class Relief {
+/// A height map: how a surface lies about its plane (real table tops bend by several times the noise). Sums
+/// over the sensor points in each square of a lattice on a polygon's chart; grid steps.
+class HeightMap {
  public:
   struct Sum {
     double count = 0, x = 0, y = 0, height = 0;
@@ -30,10 +30,10 @@ class Relief {
   std::vector<Sum> squares() const;
   /// The same with their keys, ascending.
   std::vector<std::pair<std::uint64_t, Sum>> keyed_squares() const;
-  static Relief of_squares(std::span<const std::pair<std::uint64_t, Sum>> squares) {
-    Relief relief;
-    relief.squares_.insert(squares.begin(), squares.end());
-    return relief;
+  static HeightMap of_squares(std::span<const std::pair<std::uint64_t, Sum>> squares) {
+    HeightMap map;
+    map.squares_.insert(squares.begin(), squares.end());
+    return map;
   }
 
  private:

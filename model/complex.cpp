@@ -1,0 +1,151 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Segments and the sensor points behind them.
+#include "complex_internal.hpp"
+
+#include <algorithm>
+
+#include "heights_internal.hpp"
+#include "young_internal.hpp"
+
+namespace limpet::model::internal {
+
+using geometry::EdgeId;
+
+Turn polygons_near(const Complex& complex, const Places& places, std::uint32_t but) {
+  std::vector<std::uint32_t> found;
+  query(complex.polygons(), places, found);
+  Turn near;
+  for (const std::uint32_t slot : found)
+    if (slot != but) near.emplace_back(complex.at(slot).id, slot);
+  std::sort(near.begin(), near.end());
+  return near;
+}
+
+std::vector<std::vector<SegmentId>> surfaces_of(const Complex& complex) {
+  std::vector<std::vector<SegmentId>> result;
+  complex.segments().for_each([&](const Segment& s) {
+    const auto members = complex.surfaces().with(s.slot);
+    if (!members.empty() && members.front() != s.slot) return;  // told by the one that stands first
+    auto& surface = result.emplace_back();
+    if (members.empty()) surface.push_back(s.id);
+    for (const std::uint32_t slot : members) surface.push_back(complex.at(slot).id);
+    std::sort(surface.begin(), surface.end());
+  });
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+void Complex::settle_surfaces() {
+  const auto links = edges_.take_changed_links();
+  if (links.empty()) return;
+  surfaces_.update(links, {[&](std::uint32_t a, std::uint32_t b) { return !edges_.between(a, b).empty(); },
+                           [&](std::uint32_t slot, std::vector<std::uint32_t>& neighbours) {
+                             const Segment* s = in_slot(slot);
+                             if (!s || !s->polygon) return;
+                             for (const EdgeId edge : s->polygon->shared)
+                               neighbours.push_back(edges_.across(edge).segment);
+                           }});
+}
+
+const Segment& Complex::create_point_segment(const RawPoint& raw) {
+  Segment& s = segments_.create();
+  agenda_.opened(s.slot);
+  s.data = SegmentData(raw, now_);
+  s.fit = fit_to(s.data.moments(), setting_.step, s.data.axis_sum());
+  agenda_.mark_modified(s.slot);
+  changes_.push_back({Change::Kind::created, {}, {}, s.id, {}});
+  return s;
+}
+
+/// Takes a segment out of all tables; what it shares becomes open. Returns the edges that went with it.
+std::vector<EdgeId> Complex::erase(Segment& s) {
+  std::vector<EdgeId> gone;
+  if (s.polygon) {
+    dissolve_all_neighbours(s);
+    for_each_edge(s.polygon->perimeter, [&](geometry::Slot slot) {
+      const EdgeId edge = s.polygon->perimeter.node(slot).edge;
+      const EdgePlace* place =
+          edges_.find(edge);  // on another segment, if it went to what this one merged into
+      if (place && place->segment == s.slot) gone.push_back(edge);
+    });
+    for (const EdgeId edge : gone) edges_.erase(edge);
+    modelled_area_ -= s.polygon->counted_area;
+    modelled_points_ -= s.count();
+  }
+  surfaces_.remove(s.slot);
+  agenda_.closed(s.slot);
+  segments_.erase(s);
+  return gone;
+}
+
+void Complex::remove(const Segment& s) {
+  if (s.polygon) dissolve_all_neighbours(s);  // first, so that the changes are in order
+  changes_.push_back({Change::Kind::deleted, s.id, {}, {}, {}});
+  erase(mutable_of(s));
+}
+
+/// A polygon with so many points keeps them no longer one by one.
+void Complex::forget_points(Segment& s) {
+  for (const RawPoint& raw : s.data.raw()) add_height(setting_, *s.polygon, setting_.world(raw.at), 1);
+  s.data.forget_points();
+}
+
+void Complex::absorb(const Segment& into, const RawPoint& raw) {
+  Segment& s = mutable_of(into);
+  const bool was_young = s.young();
+  s.data.absorb(raw, now_);
+  ++modelled_points_;
+  if (!was_young) return add_height(setting_, *s.polygon, setting_.world(raw.at), 1);
+  if (may_be_young(setting_, s.count(), s.fit)) return;
+  forget_points(s);
+  agenda_.look_for_neighbours(s.slot, s.polygon->box);
+}
+
+void Complex::absorb_data(Segment& s, const Segment& other, bool stays_young) {
+  if (s.polygon) {
+    if (!stays_young) {
+      forget_points(s);
+      add_heights(setting_, *s.polygon, other);
+    }
+    modelled_points_ += other.count();  // which go when the other one does
+  }
+  s.data.absorb(other.data, stays_young, now_);
+}
+
+void Complex::absorb(const Segment& into, const Segment& from, bool stays_young) {
+  absorb_data(mutable_of(into), from, stays_young);
+  if (into.polygon && !stays_young) agenda_.look_for_neighbours(into.slot, into.polygon->box);
+  const SegmentId gone = from.id;
+  BoundaryDifference difference;
+  difference.removed = erase(mutable_of(from));
+  changes_.push_back({Change::Kind::merged, into.id, gone, into.id, {}});
+  tell(into, std::move(difference));
+}
+
+void Complex::absorb_united(const Segment& into, const Segment& from, bool stays_young) {
+  absorb_data(mutable_of(into), from, stays_young);
+  const SegmentId old_id = into.id, gone = from.id;
+  BoundaryDifference difference;
+  difference.removed = erase(mutable_of(from));
+  segments_.rename(mutable_of(into));
+  changes_.push_back({Change::Kind::merged, old_id, gone, into.id, {}});
+  tell(into, std::move(difference));
+}
+
+void Complex::allow_returns() {
+  segments_.for_each([&](const Segment& s) { mutable_of(s).data.allow_returns(); });
+}
+
+void Complex::set_fit(const Segment& s, const Fit& fit, std::int64_t next_fit) {
+  mutable_of(s).fit = fit;
+  mutable_of(s).next_fit = next_fit;
+}
+
+void Complex::set_initial_plane(const Segment& s, const geometry::Plane& plane) {
+  mutable_of(s).polygon->initial = plane;
+}
+
+void Complex::set_stale(const Segment& s, bool stale) { mutable_of(s).polygon->stale = stale; }
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,187 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// The commit protocol: whatever changes a perimeter, here it is booked which edges went, came and moved, what
+// was shared along them, where the description has changed, and what is to be looked at because of it.
+#include <algorithm>
+
+#include "complex_internal.hpp"
+#include "heights_internal.hpp"
+
+namespace limpet::model::internal {
+
+using geometry::EdgeId;
+using geometry::Slot;
+
+BoundaryDifference Complex::book_difference(Segment& s, bool looked_at) {
+  geometry::Polygon& perimeter = s.polygon->perimeter;
+  BoundaryDifference difference{perimeter.take_removed(), {}, {}, perimeter.take_created()};
+  book_put_edges(s, difference);
+  if (!looked_at) {
+    PlacedEdges& fresh = agenda_.polygon(s.slot).fresh;
+    fresh.insert(fresh.end(), difference.put.begin(), difference.put.end());
+  }
+  // An edge that came and went within the operation was never there.
+  std::erase_if(difference.removed, [&](EdgeId edge) { return !edges_.find(edge); });
+  unshare_removed(difference.removed);
+  return difference;
+}
+
+/// Edges that were put in place are found there from now on, and on this segment, if they come from another.
+void Complex::book_put_edges(Segment& s, BoundaryDifference& difference) {
+  PolygonPart& part = *s.polygon;
+  for (const auto& placed : difference.put) {
+    if (!still_there(part.perimeter, placed)) continue;
+    const auto [slot, edge] = placed;
+    if (const EdgePlace* known = edges_.find(edge); known && known->partner && known->segment != s.slot) {
+      erase_sorted(segments_.in_slot(known->segment)->polygon->shared, edge);
+      insert_sorted(part.shared, edge);
+    }
+    (edges_.put(edge, s.slot, slot) ? difference.moved : difference.appeared).push_back(edge);
+  }
+}
+
+void Complex::unshare_removed(std::span<const EdgeId> removed) {
+  // All of them are gone before the first is unshared: none is asked where it ends.
+  for (const EdgeId edge : removed) edges_.lose_slot(edge);
+  for (const EdgeId edge : removed)
+    if (edges_.shared(edge)) unshare(edge);
+  for (const EdgeId edge : removed) edges_.erase(edge);
+}
+
+void Complex::tell(const Segment& s, BoundaryDifference&& difference) {
+  const auto name = [&](Change::Kind kind, std::vector<EdgeId>& edges) {
+    if (!edges.empty()) changes_.push_back({kind, {}, {}, s.id, std::move(edges)});
+  };
+  name(Change::Kind::edges_removed, difference.removed);
+  name(Change::Kind::edges_created, difference.appeared);
+  name(Change::Kind::edges_moved, difference.moved);
+}
+
+bool Complex::commit(const Transaction& transaction) {
+  for (const auto& [slot, edit] : transaction.edits)
+    if (at(slot).polygon->perimeter.judge(edit) != geometry::Verdict::valid) return false;
+  commit_judged(transaction);
+  return true;
+}
+
+void Complex::commit_judged(const Transaction& transaction) {
+  for (const auto& [slot, edit] : transaction.edits)
+    segments_.in_slot(slot)->polygon->perimeter.commit(edit, edge_ids_);
+  for (const auto& [a, b] : transaction.pairs) {
+    const std::uint32_t of_a = transaction.edits[0].first, of_b = transaction.edits[1].first;
+    for (const auto& [edge, slot] : {std::pair(a, of_a), std::pair(b, of_b)}) {
+      edges_.put(edge, slot, geometry::kNoSlot);
+      insert_sorted(segments_.in_slot(slot)->polygon->shared, edge);
+      agenda_.polygon(slot).corners_due.push_back(edge);
+    }
+    edges_.pair(a, b);
+    for (const std::uint32_t slot : {of_a, of_b}) agenda_.mark_modified(slot);
+  }
+  for (const auto& [slot, edit] : transaction.edits) perimeter_changed(*segments_.in_slot(slot));
+}
+
+/// Books an edit, and all that follows from where the perimeter is now.
+void Complex::perimeter_changed(Segment& s) {
+  BoundaryDifference difference = book_difference(s, false);
+  const Places where = places_of(*s.polygon, difference.put);
+  extend_box(s, where);
+  description_changed(s, where);
+  reindex(s);
+  tell(s, std::move(difference));
+}
+
+void Complex::extend_box(const Segment& s, const Places& where) {
+  for (const Box3& place : where.boxes()) mutable_of(s).polygon->box.extend(place);
+}
+
+void Complex::count_area(PolygonPart& part) {
+  const double area = part.perimeter.area() / (setting_.gap * setting_.gap);
+  modelled_area_ += area - part.counted_area;
+  part.counted_area = area;
+}
+
+void Complex::description_changed(const Segment& s, const Places& where) {
+  PolygonPart& part = *mutable_of(s).polygon;
+  ++part.shape;
+  if (!s.initial()) count_area(part);
+  agenda_.description_changed(s.slot, where, s.young());
+}
+
+void Complex::become_polygon(const Segment& point_segment, std::unique_ptr<PolygonPart> part) {
+  Segment& s = mutable_of(point_segment);
+  s.polygon = std::move(part);
+  agenda_.became_polygon(s.slot);
+  modelled_points_ += s.count();
+  if (!s.young()) add_height(setting_, *s.polygon, s.fit.centroid, static_cast<double>(s.count()));
+  BoundaryDifference difference = book_difference(s, false);
+  s.polygon->box = perimeter_box(*s.polygon);
+  s.next_fit = s.count() + 1;
+  reindex(s);
+  description_changed(s, s.polygon->box);
+  changes_.push_back({Change::Kind::became_polygon, {}, {}, s.id, {}});
+  tell(s, std::move(difference));
+}
+
+const Segment& Complex::create_initial(const Fit& fit, std::unique_ptr<PolygonPart> part) {
+  Segment& s = segments_.create();
+  agenda_.opened(s.slot);
+  s.fit = fit;
+  s.polygon = std::move(part);
+  agenda_.became_polygon(s.slot);
+  BoundaryDifference difference = book_difference(s, true);
+  s.polygon->box = perimeter_box(*s.polygon);
+  changes_.push_back({Change::Kind::created, {}, {}, s.id, {}});
+  changes_.push_back({Change::Kind::became_polygon, {}, {}, s.id, {}});
+  tell(s, std::move(difference));
+  reindex(s);
+  description_changed(s, s.polygon->box);
+  return s;
+}
+
+void Complex::replace_perimeter(const Segment& segment, const geometry::Chart& chart,
+                                geometry::Polygon&& perimeter, const geometry::Plane& plane) {
+  Segment& s = mutable_of(segment);
+  PolygonPart& part = *s.polygon;
+  const std::vector<EdgeId> shared_before = part.shared;
+  std::vector<EdgeId> before;
+  for_each_edge(part.perimeter, [&](Slot slot) { before.push_back(part.perimeter.node(slot).edge); });
+
+  const geometry::Chart old_chart = std::exchange(part.chart, chart);
+  rechart_heights(setting_, part, old_chart);
+  part.perimeter = std::move(perimeter);
+  part.published = geometry::Lift(part.chart, plane);
+  part.outward = plane.normal;
+
+  // Slots are new: what was fresh is looked at again, all of it.
+  for (const EdgeId edge : shared_before) edges_.lose_slot(edge);
+  agenda_.polygon(s.slot).fresh.clear();
+  BoundaryDifference difference = book_difference(s, false);
+  for (const EdgeId edge : shared_before)
+    if (edges_.shared(edge) && edges_.at(edge).slot == geometry::kNoSlot) unshare(edge);
+  for (const EdgeId edge : before)
+    if (!still_there(part.perimeter, {edges_.at(edge).slot, edge})) {
+      edges_.erase(edge);
+      difference.removed.push_back(edge);
+    }
+  difference.moved.clear();  // all have, with their plane
+  tell(s, std::move(difference));
+}
+
+void Complex::set_plane(const Segment& s, const geometry::Lift& lift, const Eigen::Vector3d& outward) {
+  PolygonPart& part = *mutable_of(s).polygon;
+  part.published = lift;
+  part.outward = outward;
+}
+
+void Complex::plane_moved(const Segment& s) {
+  PolygonPart& part = *mutable_of(s).polygon;
+  part.box = perimeter_box(part);
+  description_changed(s, part.box);
+  reindex(s);
+  BoundaryDifference difference;
+  for_each_edge(part.perimeter,
+                [&](Slot slot) { difference.moved.push_back(part.perimeter.node(slot).edge); });
+  tell(s, std::move(difference));
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,127 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Who shares which edge with whom (thesis §2.2), and unsharing (§2.8). The table of edges knows both copies
+// of every shared edge by identity; coordinates decide nothing here but whether two ends still coincide.
+#include <algorithm>
+
+#include "common_line_internal.hpp"
+#include "complex_internal.hpp"
+
+namespace limpet::model::internal {
+
+using geometry::EdgeId;
+using geometry::Slot;
+
+bool Complex::is_corner(const Segment& s, Slot vertex) const {
+  const auto& perimeter = s.polygon->perimeter;
+  const auto &before = perimeter.node(perimeter.prev(vertex)), &after = perimeter.node(vertex);
+  return before.shared && after.shared &&
+         edges_.across(before.edge).segment != edges_.across(after.edge).segment;
+}
+
+std::vector<std::uint32_t> Complex::neighbours_across(std::span<const EdgeId> edges) const {
+  std::vector<std::uint32_t> slots;
+  for (const EdgeId edge : edges)
+    if (edges_.shared(edge)) slots.push_back(edges_.across(edge).segment);
+  std::sort(slots.begin(), slots.end());
+  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+  return slots;
+}
+
+void Complex::tell_shared(const Segment& a, const Segment& b, EdgeId of_a, EdgeId of_b) {
+  changes_.push_back({Change::Kind::shared, a.id, b.id, {}, {of_a, of_b}});
+}
+
+void Complex::tell_corner(const Segment& a, const Segment& b, std::vector<EdgeId> edges) {
+  changes_.push_back({Change::Kind::corner_formed, a.id, b.id, {}, std::move(edges)});
+}
+
+/// A copy that has just lost its partner is an open edge of its perimeter, if it is still on it.
+void Complex::make_open(EdgeId edge) {
+  const EdgePlace place = edges_.at(edge);
+  Segment& s = *segments_.in_slot(place.segment);
+  PolygonPart& part = *s.polygon;
+  erase_sorted(part.shared, edge);
+  if (place.slot == geometry::kNoSlot || !still_there(part.perimeter, {place.slot, edge})) return;
+  part.perimeter.set_shared(place.slot, false);
+  Box3 where(part.position(place.slot));
+  description_changed(s, where.extend(part.position(part.perimeter.next(place.slot))));
+}
+
+/// Do the ends of the copies meet, but for corners?
+bool Complex::ends_meet(EdgeId edge) const {
+  const EdgePlace &mine = edges_.at(edge), &other = edges_.across(edge);
+  if (mine.slot == geometry::kNoSlot || other.slot == geometry::kNoSlot)
+    return true;  // about to be put there
+  const Segment &a = at(mine.segment), &b = at(other.segment);
+  const double sine = sine_between(a.polygon->plane(), b.polygon->plane());
+  const double reach = kEndSteps * setting_.step / sine;
+  const auto meet = [&](Slot p, Slot q) {
+    if (is_corner(a, p) || is_corner(b, q)) return true;
+    return (a.polygon->position(p) - b.polygon->position(q)).squaredNorm() <= reach * reach;
+  };
+  return meet(mine.slot, b.polygon->perimeter.next(other.slot)) &&
+         meet(a.polygon->perimeter.next(mine.slot), other.slot);
+}
+
+/// Shared edges before and after this one on its perimeter, of which it may have been a corner partner.
+void Complex::add_adjoining(EdgeId edge, std::vector<EdgeId>& result) const {
+  const EdgePlace& place = edges_.at(edge);
+  if (place.slot == geometry::kNoSlot) return;
+  const auto& perimeter = at(place.segment).polygon->perimeter;
+  if (!still_there(perimeter, {place.slot, edge})) return;
+  for (const Slot s : {perimeter.prev(place.slot), perimeter.next(place.slot)})
+    if (perimeter.node(s).shared) result.push_back(perimeter.node(s).edge);
+}
+
+void Complex::unshare(EdgeId edge) {
+  std::vector<EdgeId> going{edge};
+  while (!going.empty()) {
+    const EdgeId next = going.back();
+    going.pop_back();
+    if (!edges_.shared(next)) continue;
+    const EdgeId partner = edges_.at(next).partner;
+    std::vector<EdgeId> beside;
+    add_adjoining(next, beside);
+    add_adjoining(partner, beside);
+    changes_.push_back({Change::Kind::unshared,
+                        at(edges_.at(next).segment).id,
+                        at(edges_.at(partner).segment).id,
+                        {},
+                        {next, partner}});
+    edges_.unpair(next);
+    make_open(next);
+    make_open(partner);
+    for (const EdgeId b : beside)
+      if (ends_held_ > 0)
+        ends_due_.push_back(b);
+      else if (edges_.shared(b) && !ends_meet(b))
+        going.push_back(b);
+  }
+}
+
+void Complex::dissolve_neighbours(const Segment& a, const Segment& b) {
+  const auto between = edges_between(a, b);
+  for (const EdgeId edge : std::vector<EdgeId>(between.begin(), between.end()))
+    if (edges_.shared(edge)) unshare(edge);
+}
+
+void Complex::dissolve_all_neighbours(const Segment& s) {
+  while (!s.polygon->shared.empty()) unshare(s.polygon->shared.front());
+}
+
+void Complex::note_ends(std::span<const EdgeId> edges) {
+  for (const EdgeId edge : edges) {
+    if (!edges_.shared(edge)) continue;
+    ends_due_.push_back(edge);
+    add_adjoining(edge, ends_due_);
+    add_adjoining(edges_.at(edge).partner, ends_due_);
+  }
+}
+
+void Complex::unshare_where_ends_part() {
+  for (const EdgeId edge : std::exchange(ends_due_, {}))
+    if (edges_.shared(edge) && !ends_meet(edge)) unshare(edge);
+}
+
+}  // namespace limpet::model::internal

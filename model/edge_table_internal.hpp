@@ -1,0 +1,100 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <limpet/geometry/types.hpp>
+
+namespace limpet::model::internal {
+
+/// Where an edge is, and its other copy if it is shared (thesis §2.2).
+struct EdgePlace {
+  std::uint32_t segment = 0;                ///< slot of its segment
+  geometry::Slot slot = geometry::kNoSlot;  ///< none: it is about to be put there, or has just gone
+  geometry::EdgeId partner;                 ///< none: an open edge
+};
+
+/// Every edge of a model by its identity, and which edges two segments share. Identities decide here, never
+/// coordinates.
+///
+/// Invariant: partners are mutual, and on two segments; the pairs listed between two segments are those of
+/// the edges that have partners.
+///
+/// An open-addressed table with linear probing: identities ascend and are looked up a few times for every
+/// change of a perimeter.
+class EdgeTable {
+ public:
+  EdgeTable() : places_(16) {}
+
+  /// Nothing when there is no such edge. Valid until the next change.
+  const EdgePlace* find(geometry::EdgeId) const;
+  /// Precondition: there is.
+  const EdgePlace& at(geometry::EdgeId edge) const { return *find(edge); }
+  bool shared(geometry::EdgeId edge) const {
+    const EdgePlace* place = find(edge);
+    return place && place->partner;
+  }
+  /// The copy on the other side. Precondition: the edge is shared.
+  const EdgePlace& across(geometry::EdgeId edge) const { return at(at(edge).partner); }
+  /// The edges that the segments in two slots share: the copies on the one in the lower slot, ascending.
+  std::span<const geometry::EdgeId> between(std::uint32_t a, std::uint32_t b) const;
+
+  std::size_t size() const { return size_; }
+  std::size_t pair_count() const { return pair_count_; }
+  /// Calls f(edge, place) for every edge, in no particular order.
+  template <class F>
+  void for_each(F&& f) const {
+    for (const Entry& entry : places_)
+      if (entry.edge) f(entry.edge, entry.place);
+  }
+
+  /// An edge is on this segment from now on; a partner stays. Whether the edge was known.
+  bool put(geometry::EdgeId, std::uint32_t segment, geometry::Slot);
+  /// A shared edge has left its perimeter, but not been unshared yet.
+  void lose_slot(geometry::EdgeId edge) { find_mutable(edge)->slot = geometry::kNoSlot; }
+  /// Precondition: it is not shared.
+  void erase(geometry::EdgeId);
+  /// Precondition: both are there, open, and on two segments.
+  void pair(geometry::EdgeId a, geometry::EdgeId b);
+  /// Precondition: the edge is shared. Both copies are open from now on.
+  void unpair(geometry::EdgeId);
+  /// Pairs of slots whose segments have become neighbours, or are none any more, since last taken. They may
+  /// be back to what they were.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> take_changed_links() {
+    return std::exchange(changed_links_, {});
+  }
+
+ private:
+  struct Entry {
+    geometry::EdgeId edge;
+    EdgePlace place;
+  };
+
+  std::size_t home(geometry::EdgeId edge) const {
+    return (edge.value * 0x9e3779b97f4a7c15u) >> 32 & (places_.size() - 1);
+  }
+  std::size_t index_of(geometry::EdgeId) const;
+  EdgePlace* find_mutable(geometry::EdgeId edge) {
+    Entry& entry = places_[index_of(edge)];
+    return entry.edge ? &entry.place : nullptr;
+  }
+  void grow();
+  void list(geometry::EdgeId);
+  void unlist(geometry::EdgeId);
+
+  std::vector<Entry> places_;  ///< a power of two of them, at most half of them taken
+  std::size_t size_ = 0, pair_count_ = 0;
+  /// Of each pair of neighbours, by their slots, the copies on the one in the lower slot, ascending.
+  std::unordered_map<std::uint64_t, std::vector<geometry::EdgeId>> between_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> changed_links_;
+};
+
+/// Lists of edges in ascending order.
+void insert_sorted(std::vector<geometry::EdgeId>& edges, geometry::EdgeId edge);
+void erase_sorted(std::vector<geometry::EdgeId>& edges, geometry::EdgeId edge);
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,12 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include "complex_internal.hpp"
+
+namespace limpet::model::internal {
+
+/// An initial model segment (thesis §4.3). Throws std::invalid_argument, naming the face by its number, when
+/// it has no area or is no simple polygon; then nothing has changed.
+void add_initial(Complex&, std::size_t number, const InitialFace&);
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,140 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "insertion_internal.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "heights_internal.hpp"
+#include "merging_internal.hpp"
+
+namespace limpet::model::internal {
+
+void release_points(Complex& complex, PendingPoints& pending, const Segment& s, bool count_return) {
+  assert(static_cast<std::int64_t>(s.data.raw().size()) == s.count());
+  for (RawPoint raw : s.data.raw()) {
+    raw.returned += count_return;
+    pending.push_back(raw);
+  }
+  complex.remove(s);
+}
+
+/// Nearest first, ties by identity; with the thesis's rules in the order of memory.
+void Insertion::order(Candidates& candidates) const {
+  std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+    if (complex_.rules().best && a.distance2 != b.distance2) return a.distance2 < b.distance2;
+    return a.id < b.id;
+  });
+}
+
+void Insertion::add_polygon(const Segment& s, const Eigen::Vector3d& p, const Eigen::Vector3d& axis,
+                            double residual2, double variance, Candidates& candidates) const {
+  if (s.initial()) return;
+  const Standing st = standing(complex_.setting(), s, p, axis, residual2, variance);
+  if (st.near) candidates.push_back({st.distance2, s.id, &s, st});
+}
+
+/// Of several polygons that data at p fits, the one whose surface, as it lies there, is nearest comes first.
+void Insertion::order_by_heights(const Eigen::Vector3d& p, Candidates& polygons) const {
+  if (polygons.size() < 2) return;
+  if (complex_.setting().relief_kept())
+    for (Candidate& c : polygons) {
+      const auto local =
+          c.segment->mature_polygon() ? local_residual(complex_.setting(), *c.segment, p) : std::nullopt;
+      const double height = local ? local->height : c.segment->fit.height_of(p);
+      c.distance2 = height * height;
+    }
+  order(polygons);
+}
+
+/// Point segments within λ of s, and polygons that it fits if these are still to be tried.
+void Insertion::find_neighbours(const Segment& s, bool polygons_tried) {
+  Candidates &polygons = near_polygons_, &points = near_points_;
+  polygons.clear(), points.clear();
+  const Eigen::Vector3d centroid = s.fit.centroid;
+  complex_.points().query(centroid, found_);
+  for (const std::uint32_t slot : found_) {
+    const Segment& other = complex_.at(slot);
+    const double d2 = (other.fit.centroid - centroid).squaredNorm();
+    if (&other != &s && d2 < complex_.setting().lambda2) points.push_back({d2, other.id, &other, {}});
+  }
+  if (!polygons_tried) {
+    complex_.polygons().query(centroid, found_);
+    for (const std::uint32_t slot : found_) {
+      const Segment& other = complex_.at(slot);
+      const double residual2 = s.data.moments().squared_residual(other.fit.plane(), complex_.setting().step);
+      add_polygon(other, centroid, s.data.axis_sum(), residual2, s.data.variance(), polygons);
+    }
+  }
+  order_by_heights(centroid, polygons);
+  if (!complex_.rules().best)
+    polygons.insert(polygons.end(), points.begin(), points.end()), points.clear(), order(polygons);
+  order(points);
+  // A fitting polygon beats a nearer point segment.
+  polygons.insert(polygons.end(), points.begin(), points.end());
+}
+
+/// A point segment tries its neighbours until it has merged into a polygon or fits no other any more.
+void Insertion::settle(const Segment* s, bool polygons_tried) {
+  for (;;) {
+    find_neighbours(*s, polygons_tried);
+    const Segment* next = nullptr;
+    for (const Candidate& c : near_polygons_) {
+      if (c.segment->polygon) {
+        if (merge_segment_into_polygon(complex_, agenda_, *c.segment, *s, c.standing)) return;
+        continue;
+      }
+      const PointMerger merger = merge_point_segments(complex_, agenda_, pending_, *c.segment, *s);
+      if (merger == PointMerger::polygon) return;
+      if (merger == PointMerger::point) {
+        next = c.segment;
+        break;
+      }
+    }
+    if (!next) {
+      complex_.reindex(*s);
+      promote_patch(complex_, agenda_, pending_, *s);
+      return;
+    }
+    s = next;
+    polygons_tried = false;
+  }
+}
+
+void Insertion::insert_one(const RawPoint& raw) {
+  candidates_.clear();
+  const Eigen::Vector3d p = complex_.setting().world(raw.at);
+  const bool best = complex_.rules().best;
+  if (best)
+    complex_.polygons().query(p, found_);
+  else
+    found_.clear();
+  for (const std::uint32_t slot : found_) {
+    const Segment& s = complex_.at(slot);
+    const double height = s.fit.height_of(p);
+    if (height * height < complex_.setting().lambda2)
+      add_polygon(s, p, raw.axis, height * height, raw.variance, candidates_);
+  }
+  order_by_heights(p, candidates_);
+  for (const Candidate& c : candidates_)
+    if (merge_point_into_polygon(complex_, agenda_, *c.segment, raw, c.standing))
+      return labels_.set(raw, c.segment->id);
+  const Segment& s = complex_.create_point_segment(raw);
+  agenda_.note_age(s.id, complex_.now());
+  labels_.set(raw, s.id);
+  settle(&s, best);
+}
+
+void Insertion::insert(const RawPoint& raw) {
+  insert_one(raw);
+  insert_pending();
+}
+
+void Insertion::insert_pending() {
+  while (!pending_.empty()) {
+    const RawPoint raw = pending_.front();
+    pending_.pop_front();
+    insert_one(raw);
+  }
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,16 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <vector>
+
+#include <limpet/model/open_edges.hpp>
+
+#include "complex_internal.hpp"
+
+namespace limpet::model::internal {
+
+/// For each open edge the condition that last refused it a neighbour, with sections looked for so far; by
+/// segment and edge. Empty where neighbours are not asked for.
+std::vector<OpenEdge> open_edges(const Complex&, const SharingReach&);
+
+}  // namespace limpet::model::internal

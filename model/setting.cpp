@@ -1,0 +1,39 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "setting_internal.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "series_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+void require(bool good, const char* what) {
+  if (!good) throw std::invalid_argument(what);
+}
+
+}  // namespace
+
+Setting::Setting(const Parameters& p) : parameters(p) {
+  const auto finite = [](double x) { return std::isfinite(x); };
+  require(finite(p.resolution) && p.resolution > 0, "the linear resolution must be a length greater than 0");
+  require(finite(p.angle_rad) && p.angle_rad > 0 && p.angle_rad < 1.5707,
+          "the angular resolution must lie between 0 and 90 degrees");
+  require(finite(p.noise) && p.noise >= 0, "the noise must be a length of 0 or more");
+  require(finite(p.noise_per_range) && p.noise_per_range >= 0 && finite(p.noise_per_range2) &&
+              p.noise_per_range2 >= 0,
+          "what the noise grows by with the range must be 0 or more");
+  require(finite(p.tolerance) && p.tolerance >= 0, "the tolerance must be a length of 0 or more");
+  require(finite(p.input_quantum) && p.input_quantum >= 0, "the input quantum must be a length of 0 or more");
+  require(p.resolution > 1e-150 && p.resolution < 1e150, "the linear resolution is out of range");
+  lambda = p.resolution;
+  lambda2 = p.resolution * p.resolution;
+  step = geometry::grid_step_for(p.resolution);
+  rounding = step * step + p.input_quantum * p.input_quantum;
+  gap = p.resolution / step;
+  cos_angle = cosine(p.angle_rad);
+  sin_angle = std::sqrt(1 - cos_angle * cos_angle);
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,55 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "standing_internal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <limpet/geometry/predicates.hpp>
+#include <limpet/geometry/search.hpp>
+
+#include "heights_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+/// residual_limit() by noise alone.
+double noise_limit(const Segment& polygon, const Eigen::Vector3d& p, double variance) {
+  return 9 * (variance + polygon.fit.height_variance(p, polygon.data.variance()));
+}
+
+}  // namespace
+
+double residual_limit(const Setting& setting, const Segment& polygon, const Eigen::Vector3d& p,
+                      double variance) {
+  const double by_noise = noise_limit(polygon, p, variance);
+  // A young polygon's plane is not known well enough to tell what lies off it.
+  if (setting.rules().relief && polygon.young()) return by_noise;
+  return std::max(by_noise, setting.parameters.tolerance * setting.parameters.tolerance);
+}
+
+Standing standing(const Setting& setting, const Segment& s, const Eigen::Vector3d& p,
+                  const Eigen::Vector3d& axis, double squared_residual, double variance) {
+  Standing result;
+  const double height = s.fit.height_of(p);
+  if (height * height >= setting.lambda2 || axis.dot(s.fit.normal) > 0) return result;
+  if (setting.rules().residual && squared_residual > residual_limit(setting, s, p, variance)) return result;
+  const PolygonPart& part = *s.polygon;
+  result.chart_point = geometry::round_to_grid(part.chart.project(p));
+  result.outside = part.perimeter.locate(result.chart_point) == geometry::Polygon::Side::outside;
+  result.distance2 = height * height;
+  if (setting.relief_kept() && s.mature_polygon() && squared_residual > noise_limit(s, p, variance)) {
+    const auto local = local_residual(setting, s, p);
+    if (!local || local->height * local->height > 9 * (variance + local->variance) + local->bend2)
+      return result;
+  }
+  if (result.outside) {
+    const auto nearest = geometry::nearest_perimeter_point(part.perimeter, result.chart_point, setting.gap);
+    if (!nearest) return result;
+    result.perimeter_distance = std::sqrt(nearest->squared_distance);
+    result.distance2 += nearest->squared_distance * setting.step * setting.step;
+  }
+  result.near = result.distance2 < setting.lambda2;
+  return result;
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,114 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// What finishing would close: tried on a copy. An edge that survives tells for itself. One that is gone there
+// has given way to others: the nearest edge in its place tells, and where there is none within λ, the place
+// has been filled.
+#include "would_finish_internal.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "open_edges_internal.hpp"
+#include "state_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+using geometry::EdgeId;
+using geometry::Slot;
+
+struct Stretch {
+  Eigen::Vector3d from, to;
+
+  double squared_distance(const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d d = to - from;
+    const double length2 = d.dot(d);
+    const double t = length2 > 0 ? std::clamp(d.dot(p - from) / length2, 0.0, 1.0) : 0;
+    return (from + t * d - p).squaredNorm();
+  }
+};
+
+Stretch stretch_of(const PolygonPart& part, Slot edge) {
+  return {part.position(edge), part.position(part.perimeter.next(edge))};
+}
+
+/// The edges of a finished model, by where they are.
+class Finished {
+ public:
+  explicit Finished(const Complex& complex)
+      : index_(complex.setting().lambda), lambda_(complex.setting().lambda) {
+    complex.segments().for_each([&](const Segment& s) {
+      if (!s.polygon) return;
+      for_each_edge(s.polygon->perimeter, [&](Slot slot) {
+        const Stretch stretch = stretch_of(*s.polygon, slot);
+        Box3 box(stretch.from);
+        index_.insert(box.extend(stretch.to), static_cast<std::uint32_t>(edges_.size()));
+        edges_.push_back({s.id, s.polygon->perimeter.node(slot).edge, stretch});
+      });
+    });
+  }
+
+  /// The edge nearest to p within λ: on this segment if it is not none, else on any.
+  std::optional<EdgeId> nearest(const Eigen::Vector3d& p, SegmentId on) const {
+    std::vector<std::uint32_t> found;
+    index_.query(box_around(p, lambda_), found);
+    std::pair<double, EdgeId> best{lambda_ * lambda_, {}};
+    for (const std::uint32_t i : found)
+      if (!on || edges_[i].segment == on)
+        best = std::min(best, std::pair(edges_[i].stretch.squared_distance(p), edges_[i].edge));
+    return best.second ? std::optional(best.second) : std::nullopt;
+  }
+
+ private:
+  struct Edge {
+    SegmentId segment;
+    EdgeId edge;
+    Stretch stretch;
+  };
+  std::vector<Edge> edges_;
+  SpatialIndex index_;
+  double lambda_;
+};
+
+}  // namespace
+
+Outcome would_finish(const Engine& e) {
+  const std::string bytes = to_state(e);
+  const StoredState stored(bytes);
+  Engine copy(stored.parameters());
+  stored.restore(copy);
+  finish(copy);
+
+  std::unordered_map<std::uint64_t, OpenEdge> still_open;
+  for (const OpenEdge& open : open_edges(copy.complex, last_reach(copy.setting.rules())))
+    still_open.emplace(open.edge.value, open);
+  const Finished finished(copy.complex);
+  Outcome outcome;
+  copy.complex.segments().for_each([&](const Segment& s) { outcome.polygons += bool(s.polygon); });
+  outcome.open_edges = copy.complex.edges().size() - 2 * copy.complex.edges().pair_count();
+
+  e.complex.segments().for_each([&](const Segment& s) {
+    if (!s.polygon) return;
+    const SegmentId now = copy.complex.find(s.id) ? s.id : copy.successors.of(s.id);
+    for_each_edge(s.polygon->perimeter, [&](Slot slot) {
+      const auto& node = s.polygon->perimeter.node(slot);
+      if (node.shared) return;
+      std::optional<EdgeId> stands_for = node.edge;
+      if (!copy.complex.edges().find(node.edge)) {
+        const Stretch stretch = stretch_of(*s.polygon, slot);
+        stands_for = finished.nearest((stretch.from + stretch.to) / 2, now);
+      }
+      Outcome::Edge edge{s.id, node.edge, !stands_for || copy.complex.edges().shared(*stands_for), {}, {}};
+      if (!edge.closes)
+        if (const auto open = still_open.find(stands_for->value); open != still_open.end())
+          edge.refusal = open->second.refusal, edge.other = open->second.other;
+      outcome.edges.push_back(edge);
+    });
+  });
+  std::sort(outcome.edges.begin(), outcome.edges.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.segment, a.edge) < std::pair(b.segment, b.edge);
+  });
+  return outcome;
+}
+
+}  // namespace limpet::model::internal
