@@ -10,12 +10,6 @@ void Agenda::opened(std::uint32_t slot) {
 
 void Agenda::became_polygon(std::uint32_t slot) { due_[slot].polygon = std::make_unique<PolygonDue>(); }
 
-void Agenda::mark_modified(std::uint32_t slot) {
-  if (std::exchange(due_[slot].modified, true)) return;
-  modified_.push_back(slot);
-  if (neighbours_) to_share_.push_back(slot);
-}
-
 void Agenda::clear_modified() {
   for (const std::uint32_t slot : modified_) due_[slot].modified = false;
   modified_.clear();

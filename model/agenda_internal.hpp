@@ -52,7 +52,11 @@ class Agenda {
   void closed(std::uint32_t slot) { due_[slot] = {}; }
 
   /// Step 2 onwards is to look at the segment (thesis §2.3: it is flagged).
-  void mark_modified(std::uint32_t slot);
+  void mark_modified(std::uint32_t slot) {
+    if (std::exchange(due_[slot].modified, true)) return;
+    modified_.push_back(slot);
+    if (neighbours_) to_share_.push_back(slot);
+  }
   /// The slots whose flag was set, in that order.
   const std::vector<std::uint32_t>& modified() const { return modified_; }
   void clear_modified();

@@ -3,7 +3,7 @@
 
 #include <compare>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include <limpet/geometry/types.hpp>
 
@@ -39,7 +39,7 @@ struct Change {
   };
   Kind kind;
   SegmentId first, second, result;
-  std::vector<geometry::EdgeId> edges;
+  std::span<const geometry::EdgeId> edges;  ///< kept by the model; valid until the next call that changes it
 };
 
 }  // namespace limpet::model

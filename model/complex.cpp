@@ -54,7 +54,7 @@ const Segment& Complex::create_point_segment(const RawPoint& raw) {
   s.data = SegmentData(raw, now_);
   s.fit = fit_to(s.data.moments(), setting_.step, s.data.axis_sum());
   agenda_.mark_modified(s.slot);
-  changes_.push_back({Change::Kind::created, {}, {}, s.id, {}});
+  changes_.add(Change::Kind::created, {}, {}, s.id);
   return s;
 }
 
@@ -81,7 +81,7 @@ std::vector<EdgeId> Complex::erase(Segment& s) {
 
 void Complex::remove(const Segment& s) {
   if (s.polygon) dissolve_all_neighbours(s);  // first, so that the changes are in order
-  changes_.push_back({Change::Kind::deleted, s.id, {}, {}, {}});
+  changes_.add(Change::Kind::deleted, s.id, {}, {});
   erase(mutable_of(s));
 }
 
@@ -117,20 +117,18 @@ void Complex::absorb(const Segment& into, const Segment& from, bool stays_young)
   absorb_data(mutable_of(into), from, stays_young);
   if (into.polygon && !stays_young) agenda_.look_for_neighbours(into.slot, into.polygon->box);
   const SegmentId gone = from.id;
-  BoundaryDifference difference;
-  difference.removed = erase(mutable_of(from));
-  changes_.push_back({Change::Kind::merged, into.id, gone, into.id, {}});
-  tell(into, std::move(difference));
+  const auto lost = erase(mutable_of(from));
+  changes_.add(Change::Kind::merged, into.id, gone, into.id);
+  changes_.add(Change::Kind::edges_removed, into.id, lost);
 }
 
 void Complex::absorb_united(const Segment& into, const Segment& from, bool stays_young) {
   absorb_data(mutable_of(into), from, stays_young);
   const SegmentId old_id = into.id, gone = from.id;
-  BoundaryDifference difference;
-  difference.removed = erase(mutable_of(from));
+  const auto lost = erase(mutable_of(from));
   segments_.rename(mutable_of(into));
-  changes_.push_back({Change::Kind::merged, old_id, gone, into.id, {}});
-  tell(into, std::move(difference));
+  changes_.add(Change::Kind::merged, old_id, gone, into.id);
+  changes_.add(Change::Kind::edges_removed, into.id, lost);
 }
 
 void Complex::allow_returns() {

@@ -14,15 +14,15 @@ using geometry::Slot;
 
 BoundaryDifference Complex::book_difference(Segment& s, bool looked_at) {
   geometry::Polygon& perimeter = s.polygon->perimeter;
-  BoundaryDifference difference{perimeter.take_removed(), {}, {}, perimeter.take_created()};
+  BoundaryDifference difference = std::move(spare_);  // its memory
+  difference.removed = perimeter.take_removed();
+  difference.put = perimeter.take_created();
   book_put_edges(s, difference);
   if (!looked_at) {
     PlacedEdges& fresh = agenda_.polygon(s.slot).fresh;
     fresh.insert(fresh.end(), difference.put.begin(), difference.put.end());
   }
-  // An edge that came and went within the operation was never there.
-  std::erase_if(difference.removed, [&](EdgeId edge) { return !edges_.find(edge); });
-  unshare_removed(difference.removed);
+  if (!difference.removed.empty()) book_removed_edges(difference.removed);
   return difference;
 }
 
@@ -32,29 +32,36 @@ void Complex::book_put_edges(Segment& s, BoundaryDifference& difference) {
   for (const auto& placed : difference.put) {
     if (!still_there(part.perimeter, placed)) continue;
     const auto [slot, edge] = placed;
-    if (const EdgePlace* known = edges_.find(edge); known && known->partner && known->segment != s.slot) {
-      erase_sorted(segments_.in_slot(known->segment)->polygon->shared, edge);
-      insert_sorted(part.shared, edge);
-    }
-    (edges_.put(edge, s.slot, slot) ? difference.moved : difference.appeared).push_back(edge);
+    const std::uint32_t before = edges_.put(edge, s.slot, slot);
+    (before == EdgeTable::kNowhere ? difference.appeared : difference.moved).push_back(edge);
+    if (before == EdgeTable::kNowhere || before == s.slot || !edges_.shared(edge)) continue;
+    erase_sorted(segments_.in_slot(before)->polygon->shared, edge);
+    insert_sorted(part.shared, edge);
   }
 }
 
-void Complex::unshare_removed(std::span<const EdgeId> removed) {
+/// Edges that went are unshared, and known no longer. One that came and went within the operation was never
+/// there.
+void Complex::book_removed_edges(std::vector<EdgeId>& removed) {
   // All of them are gone before the first is unshared: none is asked where it ends.
-  for (const EdgeId edge : removed) edges_.lose_slot(edge);
-  for (const EdgeId edge : removed)
-    if (edges_.shared(edge)) unshare(edge);
+  bool any_shared = false;
+  std::erase_if(removed, [&](EdgeId edge) {
+    const EdgePlace* place = edges_.find(edge);
+    if (place && place->partner) edges_.lose_slot(edge), any_shared = true;
+    return !place;
+  });
+  if (any_shared)
+    for (const EdgeId edge : removed)
+      if (edges_.shared(edge)) unshare(edge);
   for (const EdgeId edge : removed) edges_.erase(edge);
 }
 
 void Complex::tell(const Segment& s, BoundaryDifference&& difference) {
-  const auto name = [&](Change::Kind kind, std::vector<EdgeId>& edges) {
-    if (!edges.empty()) changes_.push_back({kind, {}, {}, s.id, std::move(edges)});
-  };
-  name(Change::Kind::edges_removed, difference.removed);
-  name(Change::Kind::edges_created, difference.appeared);
-  name(Change::Kind::edges_moved, difference.moved);
+  changes_.add(Change::Kind::edges_removed, s.id, difference.removed);
+  changes_.add(Change::Kind::edges_created, s.id, difference.appeared);
+  changes_.add(Change::Kind::edges_moved, s.id, difference.moved);
+  difference.appeared.clear(), difference.moved.clear();
+  spare_ = std::move(difference);
 }
 
 bool Complex::commit(const Transaction& transaction) {
@@ -77,12 +84,19 @@ void Complex::commit_judged(const Transaction& transaction) {
     edges_.pair(a, b);
     for (const std::uint32_t slot : {of_a, of_b}) agenda_.mark_modified(slot);
   }
-  for (const auto& [slot, edit] : transaction.edits) perimeter_changed(*segments_.in_slot(slot));
+  for (std::size_t i = 0; i < transaction.edits.size(); ++i) {
+    std::vector<EdgeId> born;
+    for (const auto& [a, b] : transaction.pairs) born.push_back(i == 0 ? a : b);
+    perimeter_changed(*segments_.in_slot(transaction.edits[i].first), born);
+  }
 }
 
-/// Books an edit, and all that follows from where the perimeter is now.
-void Complex::perimeter_changed(Segment& s) {
+/// Books an edit, and all that follows from where the perimeter is now. `born` are edges of it that are known
+/// already, because they are shared, but new.
+void Complex::perimeter_changed(Segment& s, std::span<const EdgeId> born) {
   BoundaryDifference difference = book_difference(s, false);
+  for (const EdgeId edge : born)
+    if (std::erase(difference.moved, edge) > 0) difference.appeared.push_back(edge);
   const Places where = places_of(*s.polygon, difference.put);
   extend_box(s, where);
   description_changed(s, where);
@@ -118,7 +132,7 @@ void Complex::become_polygon(const Segment& point_segment, std::unique_ptr<Polyg
   s.next_fit = s.count() + 1;
   reindex(s);
   description_changed(s, s.polygon->box);
-  changes_.push_back({Change::Kind::became_polygon, {}, {}, s.id, {}});
+  changes_.add(Change::Kind::became_polygon, {}, {}, s.id);
   tell(s, std::move(difference));
 }
 
@@ -130,8 +144,8 @@ const Segment& Complex::create_initial(const Fit& fit, std::unique_ptr<PolygonPa
   agenda_.became_polygon(s.slot);
   BoundaryDifference difference = book_difference(s, true);
   s.polygon->box = perimeter_box(*s.polygon);
-  changes_.push_back({Change::Kind::created, {}, {}, s.id, {}});
-  changes_.push_back({Change::Kind::became_polygon, {}, {}, s.id, {}});
+  changes_.add(Change::Kind::created, {}, {}, s.id);
+  changes_.add(Change::Kind::became_polygon, {}, {}, s.id);
   tell(s, std::move(difference));
   reindex(s);
   description_changed(s, s.polygon->box);
@@ -178,7 +192,8 @@ void Complex::plane_moved(const Segment& s) {
   part.box = perimeter_box(part);
   description_changed(s, part.box);
   reindex(s);
-  BoundaryDifference difference;
+  BoundaryDifference difference = std::move(spare_);
+  difference.removed.clear();
   for_each_edge(part.perimeter,
                 [&](Slot slot) { difference.moved.push_back(part.perimeter.node(slot).edge); });
   tell(s, std::move(difference));

@@ -9,6 +9,7 @@
 #include <limpet/model/changes.hpp>
 
 #include "agenda_internal.hpp"
+#include "change_list_internal.hpp"
 #include "edge_table_internal.hpp"
 #include "segment_table_internal.hpp"
 #include "surfaces_internal.hpp"
@@ -27,7 +28,7 @@ struct BoundaryDifference {
 /// Edits of several perimeters that are made together, or not at all.
 struct Transaction {
   std::vector<std::pair<std::uint32_t, geometry::Edit>> edits;  ///< with the slots of their segments
-  /// New edges on the first two of these perimeters that are a corresponding pair from then on.
+  /// New edges on the first and the second of these perimeters that are a corresponding pair from then on.
   std::vector<std::pair<geometry::EdgeId, geometry::EdgeId>> pairs;
 };
 
@@ -66,8 +67,8 @@ class Complex {
   double modelled_area() const { return modelled_area_; }            ///< of all polygons, λ²
   std::int64_t modelled_points() const { return modelled_points_; }  ///< in all polygons
   std::uint64_t next_edge() const { return edge_ids_.next(); }
-  /// What has been done since forget_changes(), in order.
-  const std::vector<Change>& changes() const { return changes_; }
+  /// What has been done since forget_changes(), in order, once it has been settled.
+  const std::vector<Change>& changes() const { return changes_.all(); }
   /// Does a vertex join two edges that are shared with different neighbours?
   bool is_corner(const Segment&, geometry::Slot vertex) const;
   /// The edges that two segments share: the copies on the one in the lower slot. Empty if they are no
@@ -82,6 +83,7 @@ class Complex {
 
   void tick() { ++now_; }  ///< one more sensor point has come
   void forget_changes() { changes_.clear(); }
+  void settle_changes() { changes_.settle(); }
   /// Brings the surfaces up to date: after a call that changed the model, before it is read.
   void settle_surfaces();
   const Segment& create_point_segment(const RawPoint&);
@@ -136,7 +138,7 @@ class Complex {
   // Who shares what (complex_pairs.cpp; thesis §2.2, §2.8).
 
   void tell_shared(const Segment& a, const Segment& b, geometry::EdgeId, geometry::EdgeId);
-  void tell_corner(const Segment& a, const Segment& b, std::vector<geometry::EdgeId> edges);
+  void tell_corner(const Segment& a, const Segment& b, std::span<const geometry::EdgeId> edges);
   /// Unsharing (§2.8): both copies become open edges. Where that leaves the copies of another shared edge
   /// with ends apart, that edge goes the same way.
   void unshare(geometry::EdgeId);
@@ -160,8 +162,8 @@ class Complex {
   Segment& mutable_of(const Segment& s) { return *segments_.in_slot(s.slot); }
   BoundaryDifference book_difference(Segment&, bool looked_at);
   void book_put_edges(Segment&, BoundaryDifference&);
-  void unshare_removed(std::span<const geometry::EdgeId> removed);
-  void perimeter_changed(Segment&);
+  void book_removed_edges(std::vector<geometry::EdgeId>& removed);
+  void perimeter_changed(Segment&, std::span<const geometry::EdgeId> born);
   void count_area(PolygonPart&);
   void forget_points(Segment&);
   void absorb_data(Segment& into, const Segment& from, bool stays_young);
@@ -182,7 +184,8 @@ class Complex {
   std::int64_t modelled_points_ = 0;
   int ends_held_ = 0;                       ///< see with_ends_apart()
   std::vector<geometry::EdgeId> ends_due_;  ///< shared edges whose ends are to be looked at then
-  std::vector<Change> changes_;
+  BoundaryDifference spare_;                ///< empty; keeps its memory for the next one
+  ChangeList changes_;
 };
 
 /// All surfaces, each ascending, in the order of their lowest identity; a segment without neighbours is one.

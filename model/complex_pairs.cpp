@@ -3,6 +3,7 @@
 // Who shares which edge with whom (thesis §2.2), and unsharing (§2.8). The table of edges knows both copies
 // of every shared edge by identity; coordinates decide nothing here but whether two ends still coincide.
 #include <algorithm>
+#include <array>
 
 #include "common_line_internal.hpp"
 #include "complex_internal.hpp"
@@ -29,11 +30,11 @@ std::vector<std::uint32_t> Complex::neighbours_across(std::span<const EdgeId> ed
 }
 
 void Complex::tell_shared(const Segment& a, const Segment& b, EdgeId of_a, EdgeId of_b) {
-  changes_.push_back({Change::Kind::shared, a.id, b.id, {}, {of_a, of_b}});
+  changes_.add(Change::Kind::shared, a.id, b.id, {}, std::array{of_a, of_b});
 }
 
-void Complex::tell_corner(const Segment& a, const Segment& b, std::vector<EdgeId> edges) {
-  changes_.push_back({Change::Kind::corner_formed, a.id, b.id, {}, std::move(edges)});
+void Complex::tell_corner(const Segment& a, const Segment& b, std::span<const EdgeId> edges) {
+  changes_.add(Change::Kind::corner_formed, a.id, b.id, {}, edges);
 }
 
 /// A copy that has just lost its partner is an open edge of its perimeter, if it is still on it.
@@ -84,11 +85,8 @@ void Complex::unshare(EdgeId edge) {
     std::vector<EdgeId> beside;
     add_adjoining(next, beside);
     add_adjoining(partner, beside);
-    changes_.push_back({Change::Kind::unshared,
-                        at(edges_.at(next).segment).id,
-                        at(edges_.at(partner).segment).id,
-                        {},
-                        {next, partner}});
+    changes_.add(Change::Kind::unshared, at(edges_.at(next).segment).id, at(edges_.at(partner).segment).id,
+                 {}, std::array{next, partner});
     edges_.unpair(next);
     make_open(next);
     make_open(partner);

@@ -25,18 +25,6 @@ void erase_sorted(std::vector<EdgeId>& edges, EdgeId edge) {
   if (at != edges.end() && *at == edge) edges.erase(at);
 }
 
-/// Where an edge is in the table, or would be put.
-std::size_t EdgeTable::index_of(EdgeId edge) const {
-  std::size_t i = home(edge);
-  while (places_[i].edge && places_[i].edge != edge) i = (i + 1) & (places_.size() - 1);
-  return i;
-}
-
-const EdgePlace* EdgeTable::find(EdgeId edge) const {
-  const Entry& entry = places_[index_of(edge)];
-  return entry.edge ? &entry.place : nullptr;
-}
-
 std::span<const EdgeId> EdgeTable::between(std::uint32_t a, std::uint32_t b) const {
   const auto entry = between_.find(pair_key(a, b));
   return entry == between_.end() ? std::span<const EdgeId>{} : std::span<const EdgeId>(entry->second);
@@ -49,22 +37,23 @@ void EdgeTable::grow() {
     if (entry.edge) places_[index_of(entry.edge)] = entry;
 }
 
-bool EdgeTable::put(EdgeId edge, std::uint32_t segment, Slot slot) {
+std::uint32_t EdgeTable::put(EdgeId edge, std::uint32_t segment, Slot slot) {
   std::size_t i = index_of(edge);
   if (!places_[i].edge) {
     if (2 * (size_ + 1) > places_.size()) grow(), i = index_of(edge);
     places_[i] = {edge, {segment, slot, {}}};
     ++size_;
-    return false;
+    return kNowhere;
   }
   EdgePlace& place = places_[i].place;
   place.slot = slot;
-  if (place.segment == segment) return true;
+  const std::uint32_t before = place.segment;
+  if (before == segment) return before;
   const bool listed = bool(place.partner);
   if (listed) unlist(edge);
   place.segment = segment;
   if (listed) list(edge);
-  return true;
+  return before;
 }
 
 void EdgeTable::erase(EdgeId edge) {

@@ -31,7 +31,10 @@ class EdgeTable {
   EdgeTable() : places_(16) {}
 
   /// Nothing when there is no such edge. Valid until the next change.
-  const EdgePlace* find(geometry::EdgeId) const;
+  const EdgePlace* find(geometry::EdgeId edge) const {
+    const Entry& entry = places_[index_of(edge)];
+    return entry.edge ? &entry.place : nullptr;
+  }
   /// Precondition: there is.
   const EdgePlace& at(geometry::EdgeId edge) const { return *find(edge); }
   bool shared(geometry::EdgeId edge) const {
@@ -52,8 +55,10 @@ class EdgeTable {
       if (entry.edge) f(entry.edge, entry.place);
   }
 
-  /// An edge is on this segment from now on; a partner stays. Whether the edge was known.
-  bool put(geometry::EdgeId, std::uint32_t segment, geometry::Slot);
+  /// An edge is on this segment from now on; a partner stays. Returns the segment it was on; kNowhere when it
+  /// was not known.
+  std::uint32_t put(geometry::EdgeId, std::uint32_t segment, geometry::Slot);
+  static constexpr std::uint32_t kNowhere = 0xffffffffu;
   /// A shared edge has left its perimeter, but not been unshared yet.
   void lose_slot(geometry::EdgeId edge) { find_mutable(edge)->slot = geometry::kNoSlot; }
   /// Precondition: it is not shared.
@@ -77,7 +82,12 @@ class EdgeTable {
   std::size_t home(geometry::EdgeId edge) const {
     return (edge.value * 0x9e3779b97f4a7c15u) >> 32 & (places_.size() - 1);
   }
-  std::size_t index_of(geometry::EdgeId) const;
+  /// Where an edge is in the table, or would be put.
+  std::size_t index_of(geometry::EdgeId edge) const {
+    std::size_t i = home(edge);
+    while (places_[i].edge && places_[i].edge != edge) i = (i + 1) & (places_.size() - 1);
+    return i;
+  }
   EdgePlace* find_mutable(geometry::EdgeId edge) {
     Entry& entry = places_[index_of(edge)];
     return entry.edge ? &entry.place : nullptr;

@@ -38,7 +38,7 @@ void Storage::list_segments(Complex& complex, void (*refuse)(const char* what)) 
     if (!table.slot_of_.emplace(s->id.value, slot).second) refuse("has two segments of one identity");
     if (!s->polygon) continue;
     for_each_edge(s->polygon->perimeter, [&](geometry::Slot vertex) {
-      if (complex.edges_.put(s->polygon->perimeter.node(vertex).edge, slot, vertex))
+      if (complex.edges_.put(s->polygon->perimeter.node(vertex).edge, slot, vertex) != EdgeTable::kNowhere)
         refuse("has an edge with another's identity");
     });
   }

@@ -149,6 +149,7 @@ void begin_call(Engine& e) {
 }
 
 void end_call(Engine& e) {
+  e.complex.settle_changes();
   e.labels.follow(e.complex.changes());
   e.labels.tidy(e.complex.segments());
   e.successors.follow(e.complex.changes());

@@ -18,7 +18,7 @@ const std::uint64_t kStreams = wanted("LIMPET_STREAMS", 100);
 bool same(const std::vector<Change>& a, const std::vector<Change>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Change& x, const Change& y) {
     return x.kind == y.kind && x.first == y.first && x.second == y.second && x.result == y.result &&
-           x.edges == y.edges;
+           std::ranges::equal(x.edges, y.edges);
   });
 }
 
