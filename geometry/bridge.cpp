@@ -8,6 +8,7 @@
 #include <limpet/geometry/search.hpp>
 
 #include "bridge_sections_internal.hpp"
+#include "small_vector_internal.hpp"
 
 namespace limpet::geometry {
 namespace {
@@ -127,8 +128,8 @@ bool leaves_outside(const Polygon& polygon, Slot v, Point2 p) {
 }
 
 /// The edges to which the way along the perimeter from vertex v, in one of the directions, is below `length`.
-void edges_along(const Polygon& polygon, Slot v, double length, std::vector<Slot>& edges) {
-  edges.clear();
+internal::SmallVector<Slot, 32> edges_along(const Polygon& polygon, Slot v, double length) {
+  internal::SmallVector<Slot, 32> edges;
   double way = 0;
   const auto pass = [&](Slot s) {
     edges.push_back(s);
@@ -141,6 +142,7 @@ void edges_along(const Polygon& polygon, Slot v, double length, std::vector<Slot
   s = v;
   do s = polygon.prev(s), pass(s);
   while (way < length && s != v);
+  return edges;
 }
 
 }  // namespace
@@ -165,10 +167,8 @@ bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
 
 bool bridge_self(Polygon& polygon, Slot vertex, double gap, EdgeIds& ids) {
   const Point2 v = polygon.at(vertex);
-  static thread_local std::vector<Slot> along;
-  edges_along(polygon, vertex, 2 * gap, along);
-  static thread_local std::vector<PerimeterPoint> near;
-  near.clear();
+  const auto along = edges_along(polygon, vertex, 2 * gap);
+  internal::SmallVector<PerimeterPoint, 16> near;
   polygon.any_edge_near(Box2{v, v}.grown(gap), [&](Slot s) {
     const auto& n = polygon.node(s);
     if (n.cycle != polygon.node(vertex).cycle || n.shared) return false;

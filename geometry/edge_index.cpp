@@ -2,6 +2,8 @@
 #include <limpet/geometry/edge_index.hpp>
 #include <limpet/geometry/predicates.hpp>
 
+#include "small_vector_internal.hpp"
+
 namespace limpet::geometry {
 
 bool inside_even_odd(std::span<const Segment2> edges, Point2 p) {
@@ -79,8 +81,7 @@ void EdgeIndex::flip(std::span<const Segment2> sweep) {
   const int width = i1 - i0 + 1;
   // crossings(i, j): is the number of sweep edges that cross the row with exactly i references on their left
   // odd?
-  static thread_local std::vector<char> crossings;
-  crossings.assign(static_cast<std::size_t>(j1 - j0 + 1) * (width + 1), 0);
+  internal::SmallVector<char, 512> crossings(static_cast<std::size_t>(j1 - j0 + 1) * (width + 1));
   for (const auto& [p, q] : sweep) {
     const bool up = p.y < q.y;
     const Point2 a = up ? p : q, b = up ? q : p;

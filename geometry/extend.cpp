@@ -7,6 +7,8 @@
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/geometry/search.hpp>
 
+#include "small_vector_internal.hpp"
+
 namespace limpet::geometry {
 namespace {
 
@@ -100,8 +102,7 @@ Extension extend_to_point(Polygon& polygon, Point2 q, double gap, EdgeIds& ids) 
     double length;
     std::size_t i, j;
   };
-  static thread_local std::vector<Pair> pairs;
-  pairs.clear();
+  internal::SmallVector<Pair, 32> pairs;
   for (std::size_t i = 0; i < back.size(); ++i)
     for (std::size_t j = 0; j < forward.size(); ++j) {
       const std::size_t passed = back[i].steps + forward[j].steps;

@@ -14,6 +14,9 @@
 #include "edit_internal.hpp"
 
 namespace limpet::geometry {
+
+using internal::as_span;
+
 namespace {
 
 /// What is known of a new cycle.
@@ -25,10 +28,10 @@ struct Ring {
 }  // namespace
 
 Verdict Polygon::judge_new_edges(const Difference& d) const {
-  if (const Verdict v = judge_edges(d.new_edges); v != Verdict::valid) return v;
+  if (const Verdict v = judge_edges(as_span(d.new_edges)); v != Verdict::valid) return v;
   for (const KeyedEdge& e : d.new_edges) {
     const bool conflict = any_edge_near(box_of(e.a, e.b), [&](Slot s) {
-      if (node(s).mark == stamp_) return false;
+      if (d.removes(s)) return false;
       return in_conflict(e,
                          {at(s), end(s), static_cast<std::uint64_t>(s), static_cast<std::uint64_t>(next(s))});
     });
@@ -40,8 +43,8 @@ Verdict Polygon::judge_new_edges(const Difference& d) const {
 Verdict Polygon::judge_swept(const Difference& d) const {
   const bool swept = any_edge_near(d.box, [&](Slot s) {
     // A vertex stays when its own edge does, or when it begins a removed stretch (then it is on a chain).
-    if (node(s).mark == stamp_ || !d.box.contains(at(s)) || d.ends_at(s)) return false;
-    return inside_even_odd(d.sweep, at(s));
+    if (!d.box.contains(at(s)) || d.removes(s) || d.ends_at(s)) return false;
+    return inside_even_odd(as_span(d.sweep), at(s));
   });
   return swept ? Verdict::swept_vertex : Verdict::valid;
 }
@@ -145,19 +148,22 @@ bool Polygon::inside_others(const std::vector<Point2>& cycle, const Difference& 
   for (const Point2 p : cycle) {
     const Side side = locate(p);
     if (side == Side::boundary) continue;
-    edges = d.sweep;
+    edges.assign(d.sweep.begin(), d.sweep.end());
     for (std::size_t i = 0; i < cycle.size(); ++i)
       edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
     return (side == Side::inside) != inside_even_odd(edges, p);
   }
-  for (const Node& n : nodes_)
-    if (n.edge && n.mark != stamp_) edges.emplace_back(n.at, at(n.next));
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i)
+    if (nodes_[i].edge && !d.removes(Slot{i})) edges.emplace_back(at(Slot{i}), end(Slot{i}));
   for (const KeyedEdge& e : d.new_edges) edges.emplace_back(e.a, e.b);
   for (std::size_t i = 0; i < cycle.size(); ++i) edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
   return inside_even_odd(edges, cycle.front());  // the cycle's own edges are there twice
 }
 
-Verdict Polygon::judge(const Edit& edit) const { return judge(edit, difference(edit)); }
+Verdict Polygon::judge(const Edit& edit) const {
+  Difference d(*this, edit);
+  return judge(edit, d);
+}
 
 Verdict Polygon::judge(const Edit& edit, Difference& d) const {
   if (d.broken) return Verdict::orientation;

@@ -110,7 +110,7 @@ Slot Polygon::add_node(const NewVertex& v, CycleId cycle, EdgeIds& ids) {
     free_.pop_back();
   }
   const bool fresh = !v.edge;
-  nodes_[i] = Node{v.at, kNoSlot, kNoSlot, cycle, fresh ? ids.take() : v.edge, v.shared, 0};
+  nodes_[i] = Node{v.at, kNoSlot, kNoSlot, cycle, fresh ? ids.take() : v.edge, v.shared};
   ++edge_count_;
   box_.add(v.at);
   created_.emplace_back(Slot{i}, nodes_[i].edge);

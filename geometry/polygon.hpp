@@ -66,7 +66,6 @@ class Polygon {
     CycleId cycle{};
     EdgeId edge{};  ///< none: the slot is free
     bool shared = false;
-    mutable std::uint32_t mark = 0;  ///< scratch of the judge
   };
   struct Cycle {
     Slot first = kNoSlot;
@@ -166,7 +165,6 @@ class Polygon {
   /// What an edit takes away and puts in place, worked out once for the judge and once for the commit.
   struct Difference;
   struct Run;
-  Difference& difference(const Edit&) const;
   Verdict judge(const Edit&, Difference&) const;
   void commit(const Edit&, Difference&, EdgeIds&);
   std::vector<Run> runs_of(const Edit&) const;
@@ -176,7 +174,7 @@ class Polygon {
   Verdict judge_growth(const Difference&, double least) const;
   std::size_t untouched_outer(const Edit&) const;
   int orientation_of(const Edit&, const Difference&, std::size_t first_chain) const;
-  void label_cycles(const Edit&, const Difference&, std::vector<CycleId> freed, std::span<const Slot> loops);
+  void label_cycles(const Edit&, const Difference&, std::span<const Slot> loop_starts);
   /// Does this cycle of the candidate lie inside an odd number of its other cycles?
   bool inside_others(const std::vector<Point2>& cycle, const Difference&) const;
 
@@ -191,7 +189,6 @@ class Polygon {
   std::vector<EdgeId> removed_;
   std::vector<std::pair<Slot, EdgeId>> created_;
   std::uint64_t version_ = 0, joins_ = 0;
-  mutable std::uint32_t stamp_ = 0;
 };
 
 /// All of a polygon, as plain data: free places and their order too, so that new vertices go where they would

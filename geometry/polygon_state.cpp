@@ -87,7 +87,6 @@ void require_measures(const PolygonState& p) {
 PolygonState Polygon::state() const {
   PolygonState p{nodes_, cycles_, free_,    origin_,  twice_area_, box_,
                  {},     0,       removed_, created_, version_,    joins_};
-  for (Node& n : p.nodes) n.mark = 0;
   if (index_.active()) p.index_box = index_.cells_box(), p.index_edges = index_.built_for();
   return p;
 }
@@ -109,7 +108,6 @@ Polygon Polygon::from_state(PolygonState p) {
   polygon.created_ = std::move(p.created);
   polygon.version_ = p.version;
   polygon.joins_ = p.joins;
-  for (Node& n : polygon.nodes_) n.mark = 0;
   if (const Verdict v = judge_polygon(polygon); v != Verdict::valid)
     require(false, (std::string("is not valid: ") + to_string(v)).c_str());
   if (p.index_edges > 0) polygon.index_.reset_cells(p.index_box, p.index_edges);
