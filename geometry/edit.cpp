@@ -1,6 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Working out what a change of a polygon's boundary takes away and puts in place, and making it.
+// What a change of a polygon's boundary removes and inserts, and making the change.
 #include <algorithm>
 
 #include <limpet/geometry/predicates.hpp>
@@ -18,7 +18,7 @@ Polygon::Difference::Difference(const Polygon& polygon, const Edit& edit) {
     std::sort(slots->begin(), slots->end());
     broken |= std::adjacent_find(slots->begin(), slots->end()) != slots->end();
   }
-  std::uint64_t next_key = polygon.slot_count();  // keys of new vertices follow the slots
+  std::uint64_t next_key = polygon.slot_count();  // keys of old vertices are their slots
   for (const Chain& chain : edit.chains) {
     if (broken) return;
     add_chain(polygon, chain, next_key);
@@ -134,7 +134,7 @@ void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
   const auto ref = [this](Slot s) -> Node& { return nodes_[static_cast<std::uint32_t>(s)]; };
   const bool simple = edit.chains.size() == 1 && edit.loops.empty() && edit.removed_cycles.empty();
   if (!simple && d.runs.empty()) d.runs = runs_of(edit);
-  SmallVector<EdgeId, 8> kept;  // identities that a new vertex brings along are not removed
+  SmallVector<EdgeId, 8> kept;  // identities of removed edges that new edges take over
   for (const Chain& c : edit.chains) {
     if (c.edge) kept.push_back(c.edge);
     for (const NewVertex& v : c.via)
@@ -153,11 +153,11 @@ void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
   });
   for (const Slot s : d.removed_vertices) free_node(s);
 
-  SmallVector<Slot, 16> touched;  // slots whose edge is new
+  SmallVector<Slot, 16> touched;  // slots whose edges are new
   for (const Chain& c : edit.chains) {
     const CycleId id = node(c.from).cycle;
     Slot last = c.from;
-    ref(last).edge = c.edge ? c.edge : ids.take();  // the edge that left `from` is gone
+    ref(last).edge = c.edge ? c.edge : ids.take();  // `from` stays, but the edge that left it was removed
     ref(last).shared = c.shared;
     created_.emplace_back(last, ref(last).edge);
     touched.push_back(last);
@@ -200,14 +200,14 @@ void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
   index_.flip(as_span(d.sweep));
 }
 
-/// Sorts the vertices into cycles again. The cycle with the run that was not walked, if there is one, keeps
-/// its identity and the labels on that run.
+/// Labels the vertices with their new cycles. The cycle with the run that was not walked, if there is one,
+/// keeps its old label, so that the vertices of that run need not be visited.
 void Polygon::label_cycles(const Edit& edit, const Difference& d, std::span<const Slot> loop_starts) {
   std::vector<CycleId> freed = edit.removed_cycles;
   for (const Chain& c : edit.chains) freed.push_back(node(c.from).cycle);
   std::sort(freed.begin(), freed.end());
   freed.erase(std::unique(freed.begin(), freed.end()), freed.end());
-  std::size_t vertices = 0;  // of all cycles that are new
+  std::size_t vertices = 0;  // on all new cycles; in the end, on the one that keeps its label
   for (const CycleId id : freed) vertices += cycle(id).size;
   vertices -= d.removed_vertices.size();
   for (const Chain& c : edit.chains) vertices += c.via.size();
@@ -242,7 +242,7 @@ void Polygon::label_cycles(const Edit& edit, const Difference& d, std::span<cons
   if (walked) return;
   for (std::size_t c = 0; c < edit.chains.size(); ++c) {
     if (!on_kept[c]) continue;
-    Slot s = next(edit.chains[c].from);  // the chain's own vertices, then those of the run behind it
+    Slot s = next(edit.chains[c].from);  // the vertices of the chain, then those of the run behind it
     const Run& run = d.runs[c];
     for (; s != edit.chains[c].to; s = next(s)) nodes_[static_cast<std::uint32_t>(s)].cycle = kept;
     if (run.walked)

@@ -30,7 +30,7 @@ struct Polygon::Difference {
   internal::SmallVector<Slot, 4> starts, ends;  ///< of the chains, sorted
   std::vector<Run> runs;  ///< one behind each chain, at most one of them not walked; empty until needed
   Box2 box;               ///< of the sweep
-  bool broken = false;    ///< chains or removed cycles overlap; what is above is then incomplete
+  bool broken = false;    ///< chains or removed cycles overlap; the rest is then incomplete
 
   bool removes(Slot edge) const {
     const Slot *first = sorted_removed_.data(), *last = first + sorted_removed_.size();

@@ -62,12 +62,13 @@ class Asked {
             [this] { return boundary(); }};
   }
 
- private:
   Answer verdicts() const {
     Answer answer;
     for (const Edit& edit : edits_) answer.push_back(static_cast<double>(polygon_.judge(edit)));
     return answer;
   }
+
+ private:
   Answer sides() const {
     Answer answer;
     for (const Point2 p : points_) answer.push_back(static_cast<double>(polygon_.locate(p)));
@@ -120,17 +121,20 @@ Polygon enlarged(Cycles cycles) {
   return make(cycles, ids);
 }
 
-TEST(PolygonReaders, OfFewEdges) {
-  threads::expect_same_answers(Asked(enlarged(shapes::ring(4, 9))).questions());
+void expect_readers_agree(const Cycles& cycles) {
+  const Asked asked(enlarged(cycles));
+  const Answer verdicts = asked.verdicts();
+  const auto valid = std::count(verdicts.begin(), verdicts.end(), static_cast<double>(Verdict::valid));
+  ASSERT_GT(valid, 2);
+  ASSERT_LT(valid, static_cast<std::ptrdiff_t>(verdicts.size()) - 2);
+  threads::expect_same_answers(asked.questions());
 }
 
-TEST(PolygonReaders, OfManyEdges) {  // with an index
-  threads::expect_same_answers(Asked(enlarged(shapes::comb(60, 3, 2, 30, 4))).questions());
-}
+TEST(PolygonReaders, OfFewEdges) { expect_readers_agree(shapes::ring(4, 9)); }
 
-TEST(PolygonReaders, OfManyHoles) {
-  threads::expect_same_answers(Asked(enlarged(shapes::sieve(6, 5, 4, 3, 3))).questions());
-}
+TEST(PolygonReaders, OfManyEdges) { expect_readers_agree(shapes::comb(60, 3, 2, 30, 4)); }  // with an index
+
+TEST(PolygonReaders, OfManyHoles) { expect_readers_agree(shapes::sieve(6, 5, 4, 3, 3)); }
 
 }  // namespace
 }  // namespace limpet::geometry
