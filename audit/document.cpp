@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
 #include <charconv>
 #include <limpet/audit/document.hpp>
 #include <sstream>
@@ -7,7 +8,7 @@
 namespace limpet::audit {
 namespace {
 
-// Decimal with an optional minus sign, any value of a signed 128-bit integer.
+// A decimal number with an optional minus sign, anywhere in the range of a signed 128-bit integer.
 bool read_number(std::string_view text, Int128& value) {
   const bool negative = !text.empty() && text.front() == '-';
   if (negative) text.remove_prefix(1);
@@ -34,10 +35,10 @@ class Reader {
 
   const std::string& line() const { return line_; }
 
-  // The first word of the current record.
+  // The first word of the current line.
   std::string_view keyword() const { return fields_.front(); }
 
-  // Checks the record's keyword and takes its fields; an empty keyword means the line has none.
+  // Checks the line's keyword and reads its fields; an empty `name` is for lines without a keyword.
   template <typename... Fields>
   void take(std::string_view name, Fields&... fields) {
     next_field_ = 0;
@@ -133,7 +134,7 @@ void read_header(Reader& reader, Document& document) {
   reader.take("segments", document.declared_points, document.declared_polygons);
 }
 
-// Counts are believed one record at a time: nothing is allocated ahead of what is there.
+// The declared count is not trusted: memory grows with the lines that are there, nothing is reserved ahead.
 void read_raw(Reader& reader, Segment& segment) {
   std::uint64_t count = 0;
   reader.take("raw", count);

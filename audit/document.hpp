@@ -14,33 +14,34 @@ namespace limpet::audit {
 __extension__ typedef __int128 Int128;
 using Vector = std::array<double, 3>;
 
-/// How the engine that wrote the file computed; `float` alone is free of the grid.
+/// The arithmetic of the engine that wrote the file. Only with `float` are coordinates not on the grid.
 enum class Arithmetic { kExact, kFloatGrid, kFloat };
 
-/// Number of sensor points, their sums, and their sums of products xx xy xz yy yz zz; in grid steps.
+/// Moments of the sensor points a segment represents: their number, the sums of their coordinates, and the
+/// sums of the products xx xy xz yy yz zz; in grid steps.
 struct Moments {
   std::uint64_t m = 0;
   std::array<Int128, 3> sum{};
   std::array<Int128, 6> product{};
 };
 
-/// A sensor point a young segment still holds; its position in grid steps.
+/// A sensor point that a young segment still keeps.
 struct RawPoint {
-  Vector position{};
-  Vector axis{};
-  std::uint64_t returned = 0;
+  Vector position{};           ///< in grid steps
+  Vector axis{};               ///< unit vector of the sensing axis, into the surface
+  std::uint64_t returned = 0;  ///< how often a dissolved segment has handed it back
 };
 
-/// What every segment has. A point segment has nothing else.
+/// What segments of both kinds have; a point segment has nothing else.
 struct Segment {
   std::uint64_t id = 0;
   Moments moments;
   Vector axis_sum{};
-  double variance = 0;  ///< sum over its points; 0 where the noise does not grow
+  double variance = 0;  ///< sum over its points; 0 where the noise does not grow with the range
   std::vector<RawPoint> raw;
 };
 
-/// A vertex in chart coordinates, and the edge that leaves it.
+/// A vertex in chart coordinates, in grid steps, and the edge that leaves it.
 struct Vertex {
   double x = 0, y = 0;
   std::uint64_t edge = 0;
@@ -50,17 +51,18 @@ using Cycle = std::vector<Vertex>;
 
 struct Polygon : Segment {
   Vector origin{}, u{}, v{}, n{};  ///< the chart
-  double h0 = 0, hx = 0, hy = 0;   ///< the published plane as a height over the chart
+  /// The published plane as a height map over the chart: h0 + hx·x + hy·y, in grid steps.
+  double h0 = 0, hx = 0, hy = 0;
   Vector initial_centroid{}, initial_normal{};
   std::vector<Cycle> cycles;  ///< the outer perimeter, then the holes
 };
 
-/// A native model file, as written: nothing in it has been checked but its syntax.
+/// A native model file as parsed: only its syntax has been checked.
 struct Document {
   double resolution = 0, angle = 0, noise = 0, tolerance = 0, step = 0;
-  double growth = 0, growth2 = 0;  ///< of the noise with the range and its square
-  std::uint64_t neighbours = 1;    ///< 0: none are formed
-  double redundancy_count = 20, redundancy_ratio = 0.05;
+  double growth = 0, growth2 = 0;                         ///< of the noise with the range and with its square
+  std::uint64_t neighbours = 1;                           ///< 1: shared edges are formed, 0: they are not
+  double redundancy_count = 20, redundancy_ratio = 0.05;  ///< ψ and φ (thesis §2.9)
   Arithmetic arithmetic = Arithmetic::kExact;
   std::string rules;
   std::uint64_t points = 0, refused = 0, expired = 0, sets = 0;
@@ -71,7 +73,7 @@ struct Document {
   std::vector<Polygon> polygons;
 };
 
-/// The text is no native model file; `what()` names the line.
+/// The text is not a native model file; what() names the line and the reason.
 class DocumentError : public std::runtime_error {
  public:
   DocumentError(std::size_t line, const std::string& what);
@@ -81,8 +83,8 @@ class DocumentError : public std::runtime_error {
   std::size_t line_;
 };
 
-/// Reads a native model file (docs/native_format.md). Throws DocumentError.
-/// Memory is bounded by the length of the input, whatever its counts claim.
+/// Parses a native model file (docs/native_format.md). Throws DocumentError. Memory use is proportional to
+/// the length of the input, whatever counts it claims.
 Document parse_document(std::istream& input);
 Document parse_document(std::string_view text);
 

@@ -7,13 +7,14 @@
 
 namespace limpet::audit {
 
-/// A law has a short name that never changes, and one line that says what it demands.
+/// A law that every model must satisfy: a short name that never changes, and one line that says what it
+/// demands.
 struct Law {
   std::string name;
   std::string statement;
 };
 
-/// All laws, in the order they are judged.
+/// All laws.
 const std::vector<Law>& laws();
 
 struct Violation {
@@ -22,9 +23,9 @@ struct Violation {
   std::string what;
 };
 
-/// Judges a model from the definitions alone, exactly. Empty: nothing is broken.
-/// A law that another broken law leaves without meaning (the area of a perimeter that crosses itself) is not
-/// judged there, so that what is named is what is wrong.
+/// Checks a model against all laws, from the definitions alone and in exact arithmetic. Empty: no law is
+/// broken. Where one broken law leaves another without meaning (the orientation of a perimeter that crosses
+/// itself), only the first is reported.
 std::vector<Violation> judge(const Document& document);
 
 }  // namespace limpet::audit

@@ -1,6 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <cmath>
-#include <limpet/audit/exact.hpp>
+#include <limpet/audit/exact_internal.hpp>
 #include <limpet/audit/laws_internal.hpp>
 
 namespace limpet::audit::internal {
@@ -10,7 +10,7 @@ constexpr double kUnitTolerance = 1e-9;
 constexpr double kAxisTolerance = 1e-6;
 constexpr double kTanMaxTilt = 0.05240777928304120;  // tan 3 degrees
 
-// Where the product of coordinates i and j stands among xx xy xz yy yz zz.
+// The index of the product of coordinates i and j among xx xy xz yy yz zz.
 constexpr int kProduct[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
 using Matrix = std::array<ExactVector, 3>;
@@ -114,8 +114,9 @@ void judge_outward(const Polygon& polygon, const ExactPlane& plane, Report& repo
     report.add("outward", segment_name(polygon), "the normal does not face against the sensing axes");
 }
 
-// With N the plane's normal and q a point on it, all multiplied by m·|N|²:
-// Σ (N·(step·p - q))² = step²·NᵀSN - 2·step·(N·q)(N·s) + m·(N·q)² < m·resolution²·|N|².
+// The mean squared distance of the m sensor points p from the plane must be below resolution². With N the
+// plane's normal, q a point on it, S = Σppᵀ and s = Σp, both sides multiplied by m·|N|²:
+//   Σ (N·(step·p - q))² = step²·NᵀSN - 2·step·(N·q)(N·s) + m·(N·q)² < m·resolution²·|N|².
 void judge_plane_variance(const Polygon& polygon, const ExactPlane& plane, const Dyadic& step,
                           const Dyadic& resolution, Report& report) {
   const Moments& moments = polygon.moments;

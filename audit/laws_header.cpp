@@ -60,7 +60,7 @@ void judge_finite(const Document& document, Report& report) {
 }
 
 void judge_parameters(const Document& document, Report& report) {
-  // A number that is not finite is named by its own law; each test below lets NaN pass.
+  // Numbers that are not finite are reported by the law "finite"; the comparisons below are false for NaN.
   const auto demand_not = [&report](bool broken, const char* what) {
     if (broken) report.add("parameters", "header", what);
   };
@@ -101,7 +101,8 @@ void judge_counts(const Document& document, Report& report) {
   compare(document.declared_points, document.point_segments.size(), "point");
   compare(document.declared_polygons, document.polygons.size(), "polygon");
 
-  Int128 represented = document.expired;  // 128 bits: 2^64 segments of 2^63 points cannot overflow it
+  // In 128 bits the sum cannot overflow, however many segments the file holds.
+  Int128 represented = document.expired;
   for (const Segment& segment : document.point_segments) represented += segment.moments.m;
   for (const Polygon& polygon : document.polygons) represented += polygon.moments.m;
   if (represented != static_cast<Int128>(document.points))

@@ -3,7 +3,8 @@
 
 #include <limpet/audit/laws.hpp>
 
-/// The groups of laws, one file each. Every one but the first assumes finite numbers.
+/// The laws in groups, one file for each. judge_finite() reports numbers that are not finite; the others
+/// require finite numbers in what they are given, or skip what has others.
 namespace limpet::audit::internal {
 
 class Report {
@@ -42,7 +43,7 @@ void judge_plane(const Polygon&, double step, double resolution, Report&);
 void judge_grid(const Polygon&, Report&);
 void judge_perimeter(const Polygon&, Report&);
 
-// laws_shared.cpp; polygons with numbers that are not finite are left out of geometry
+// laws_shared.cpp; polygons with numbers that are not finite are left out of the geometric laws
 void judge_shared_edges(const Document&, Report&);
 
 }  // namespace limpet::audit::internal

@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
 #include <cmath>
 #include <limpet/audit/laws_internal.hpp>
 #include <limpet/audit/planar.hpp>
@@ -26,12 +27,13 @@ bool is_in(const Point& p, const Box& box) {
   return box.low.x <= p.x && p.x <= box.high.x && box.low.y <= p.y && p.y <= box.high.y;
 }
 
-// The cycles without edges of zero length, those that stay cycles, and where each vertex came from.
+// A polygon's cycles with edges of zero length left out, and cycles of fewer than three other vertices too;
+// the sweep that looks for crossings requires that. For each cycle and vertex its index in the polygon.
 struct Outline {
   std::vector<std::vector<Point>> cycles;
   std::vector<std::size_t> cycle_of;
   std::vector<std::vector<std::size_t>> vertex_of;
-  bool whole = true;  // no cycle is missing
+  bool whole = true;  // no cycle was left out
 };
 
 Outline outline_of(const Polygon& polygon) {
@@ -90,13 +92,13 @@ bool judge_simple(const Polygon& polygon, const Outline& outline, Report& report
 void judge_directions(const Polygon& polygon, const Outline& outline, Report& report) {
   for (std::size_t i = 0; i < outline.cycles.size(); ++i) {
     const bool outer = outline.cycle_of[i] == 0;
-    if (twice_area(outline.cycles[i]).sign() != (outer ? 1 : -1))
+    if (area_sign(outline.cycles[i]) != (outer ? 1 : -1))
       report.add("direction", cycle_name(polygon, outline.cycle_of[i]),
                  outer ? "the outer cycle runs clockwise" : "the hole runs anticlockwise");
   }
 }
 
-// Nothing touches here (judged before), so one vertex of a cycle speaks for all of it.
+// The cycles do not touch (judge_simple), so each lies wholly on the side on which its first vertex lies.
 void judge_nesting(const Polygon& polygon, const Outline& outline, Report& report) {
   std::vector<Box> boxes;
   for (const auto& cycle : outline.cycles) boxes.push_back(box_of(cycle));

@@ -1,6 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <algorithm>
-#include <limpet/audit/exact.hpp>
+#include <limpet/audit/exact_internal.hpp>
 #include <limpet/audit/laws_internal.hpp>
 #include <map>
 #include <optional>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kParallelSine = 1e-9;
 constexpr int kLineSteps = 2;
-constexpr int kEndSteps = 2 * kLineSteps;  // each copy's end may be that far from where they should meet
+constexpr int kEndSteps = 2 * kLineSteps;  // either copy's end may be kLineSteps from their common point
 
 struct EdgePlace {
   std::size_t polygon, cycle, vertex;
@@ -62,7 +62,7 @@ class Sharing {
     return at;
   }
 
-  // What keeps an edge from being half of a pair; nothing if it is.
+  // Why the edge is not one of a valid pair of shared edges; null when it is.
   const char* fault(const EdgePlace& at) const {
     const auto found = places_.find(vertex(at).partner);
     if (found == places_.end()) return "its partner does not exist";
@@ -71,7 +71,7 @@ class Sharing {
     return nullptr;
   }
 
-  // The partner of an edge that is half of a sound pair.
+  // The partner of an edge, if the two are a valid pair.
   std::optional<EdgePlace> partner(const EdgePlace& at) const {
     if (vertex(at).partner == 0 || fault(at)) return {};
     return places_.at(vertex(at).partner);
@@ -91,8 +91,9 @@ class Sharing {
         }
   }
 
-  // Two neighbours alternate on a cycle (a b a b) exactly when, read with a stack of neighbours still open,
-  // an edge belongs to one that another has closed.
+  // Two neighbours alternate on a cycle (a b a b) exactly when their edges do not nest like brackets.
+  // Neighbours met so far are on a stack; one that is met again closes those above it; a closed one must not
+  // come again.
   void judge_global_order(std::size_t s, std::size_t c) {
     std::vector<std::size_t> open;
     std::unordered_set<std::size_t> seen, closed;
@@ -114,7 +115,8 @@ class Sharing {
     }
   }
 
-  // Followed along this cycle, the partners on one other cycle must come in falling order, wrapping once.
+  // Along this cycle, the indices of the partners on any other cycle must decrease, wrapping around once at
+  // most.
   void judge_local_order(std::size_t s, std::size_t c) {
     std::map<std::pair<std::size_t, std::size_t>, std::vector<EdgePlace>> partners;
     for (std::size_t i = 0; i < document_.polygons[s].cycles[c].size(); ++i)
@@ -172,8 +174,8 @@ class Sharing {
     judge_ends(next(e), f, line_squared, reach * reach * normals);
   }
 
-  // A point of one plane is d / sin θ from the common line when it is d from the other plane, so that
-  // "within 2 steps / sin θ of the line" is "within 2 steps of the other plane".
+  // A point of one plane that is at distance d from the other plane is d / sin θ from their common line. So
+  // "within 2 steps / sin θ of the line" is checked as "within 2 steps of the other plane".
   void judge_line(const EdgePlace& at, const EdgePlace& other) {
     const ExactVector& normal = plane(other).normal;
     const Dyadic reach = Dyadic(kLineSteps) * Dyadic(document_.step);
@@ -185,7 +187,7 @@ class Sharing {
     }
   }
 
-  // Along n1 x n2 the first copy runs forward if the pair is convex.
+  // The first edge of a convex pair runs along n1 × n2, that of a concave pair against it.
   void judge_concavity(const EdgePlace& e, const EdgePlace& f, int way) {
     const auto [known, added] = concavity_.insert({{e.polygon, f.polygon}, way});
     if (!added && known->second != way)

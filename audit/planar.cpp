@@ -1,10 +1,13 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <limpet/audit/planar.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limpet/audit/planar_internal.hpp>
 
 namespace limpet::audit {
 namespace {
 
-// Whole numbers this small have differences below 2^46, products below 2^92, and leave room for 2^33 terms.
+// Differences of whole numbers this small are at most 2^46 and their products at most 2^92, so 128 bits hold
+// a sum of 2^33 cross products.
 constexpr double kWholeLimit = 0x1p45;
 
 bool is_small_whole(double x) { return std::abs(x) <= kWholeLimit && x == std::trunc(x); }
@@ -23,10 +26,10 @@ Dyadic big_cross(const Point& a, const Point& b, const Point& c) {
          (Dyadic(b.y) - Dyadic(a.y)) * (Dyadic(c.x) - Dyadic(a.x));
 }
 
-// Is p, known to be on the straight line through s, on s itself?
+// Is p on s? Precondition: p is on the infinite line through s.
 bool is_within(const Point& p, const Line& s) { return std::min(s.a, s.b) <= p && p <= std::max(s.a, s.b); }
 
-// Both lines on one straight line: the lexicographic order is the order along it.
+// For collinear segments the lexicographic order of points is their order along the common line.
 Meeting collinear_meeting(const Line& s, const Line& t) {
   const Point begin = std::max(std::min(s.a, s.b), std::min(t.a, t.b));
   const Point end = std::min(std::max(s.a, s.b), std::max(t.a, t.b));
@@ -68,7 +71,7 @@ Side side_of(const Point& p, std::span<const Point> cycle) {
     const Point& b = cycle[i + 1 == cycle.size() ? 0 : i + 1];
     if (a.y == p.y && b.y == p.y && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x)) return Side::kOn;
     if (a == p) return Side::kOn;
-    // Half-open in y, so that a ray through a vertex is counted once.
+    // Edges are half-open in y, so that a ray through a vertex counts one of the two edges there.
     if ((a.y <= p.y) == (b.y <= p.y)) continue;
     const int turn = orientation(a, b, p);
     if (turn == 0) return Side::kOn;
@@ -91,5 +94,7 @@ Dyadic twice_area(std::span<const Point> cycle) {
   }
   return whole ? Dyadic(whole_sum) : big_sum;
 }
+
+int area_sign(std::span<const Point> cycle) { return twice_area(cycle).sign(); }
 
 }  // namespace limpet::audit

@@ -1,32 +1,35 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
-#include <limpet/audit/exact.hpp>
+#include <compare>
 #include <span>
 
-/// Exact planar predicates on finite doubles. Nothing here ever rounds a decision.
+/// Planar predicates, exact for all finite doubles.
 namespace limpet::audit {
 
+/// Ordered by x, then by y.
 struct Point {
   double x = 0, y = 0;
   friend bool operator==(const Point&, const Point&) = default;
-  friend auto operator<=>(const Point&, const Point&) = default;  ///< by x, then by y
+  friend auto operator<=>(const Point&, const Point&) = default;
 };
 
+/// A closed line segment. (A "segment" alone is a segment of the model.)
 struct Line {
   Point a, b;
 };
 
-/// +1 when a, b, c turn left, -1 when they turn right, 0 when they lie on one line.
-///  (1) swapping two arguments flips the sign;
+/// +1 when a, b, c turn left, -1 when they turn right, 0 when they are collinear.
+///  (1) Swapping two arguments flips the sign;
 ///  (2) rotating the arguments keeps it;
 ///  (3) it is 0 when two arguments are equal.
 int orientation(const Point& a, const Point& b, const Point& c);
 
-/// The same through big numbers only; `orientation` must agree with it everywhere.
+/// The same in arbitrary-precision arithmetic throughout. orientation() takes a faster path where coordinates
+/// are small whole numbers, and must agree with this everywhere.
 int orientation_by_big_numbers(const Point& a, const Point& b, const Point& c);
 
-/// How two closed straight lines of nonzero length meet.
+/// How two line segments of nonzero length meet.
 enum class Meeting {
   kNone,     ///< no common point
   kCross,    ///< one common point, interior to both
@@ -37,10 +40,11 @@ Meeting meeting(const Line& s, const Line& t);
 
 enum class Side { kOutside, kOn, kInside };
 
-/// Where p lies with respect to a closed chain (even-odd; the chain may turn either way).
+/// Where p lies with respect to a closed chain, by the even-odd rule. The chain's orientation does not
+/// matter.
 Side side_of(const Point& p, std::span<const Point> cycle);
 
-/// Twice the signed area: positive for an anticlockwise cycle.
-Dyadic twice_area(std::span<const Point> cycle);
+/// The sign of the signed area of a closed chain: +1 when it is anticlockwise, -1 when it is clockwise.
+int area_sign(std::span<const Point> cycle);
 
 }  // namespace limpet::audit

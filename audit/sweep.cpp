@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
 #include <iterator>
 #include <limpet/audit/sweep.hpp>
 #include <set>
@@ -6,13 +7,17 @@
 namespace limpet::audit {
 namespace {
 
-// Shamos and Hoey's sweep in the order of Points (by x, then y), stopping at the first clash it sees.
+// Shamos and Hoey's plane sweep over the vertices in the order of Points (by x, then y), which stops at the
+// first clash it finds.
 //
-// Why it misses none. All vertices are distinct (checked first). Let p be the first point where a forbidden
-// pair meets. Before p the active edges are strictly ordered, and those through p are contiguous, so
-//  - if an edge ends at p or p is no vertex, two edges through p were neighbours before p, and were tested
-//    when they became so;
-//  - if both edges at p begin there, the search for their place finds p on an active edge: order 0.
+// Why it misses none. All vertices are distinct (checked first). Let p be the first point, in sweep order,
+// where a forbidden pair meets. Until p the active edges, those the sweep line crosses, are strictly ordered,
+// and the active edges through p are adjacent in that order.
+//  - If an edge ends at p, or p is no vertex, then two edges through p were adjacent before p, and were
+//    tested when they became so.
+//  - If p is a vertex where both of its edges begin, they are inserted there. The comparison with an active
+//    edge through p, or of the two with each other when they overlap, finds them equal, which is reported as
+//    a clash.
 struct SweepEdge {
   Point left, right;
   EdgePlace place;
@@ -106,7 +111,7 @@ class Sweep {
   std::vector<SweepEdge> edges_;
   std::vector<std::size_t> first_edge_;  // by cycle
   std::vector<EdgePlace> vertices_;      // in sweep order
-  Active active_;                        // edges the sweep line meets, from below
+  Active active_;                        // edges that cross the sweep line, from below
   std::vector<Active::iterator> where_;  // by edge
 };
 

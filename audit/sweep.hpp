@@ -7,7 +7,7 @@
 
 namespace limpet::audit {
 
-/// The edge that leaves a vertex.
+/// An edge, named by the vertex it leaves.
 struct EdgePlace {
   std::size_t cycle = 0;
   std::size_t vertex = 0;
@@ -18,9 +18,10 @@ struct Clash {
   EdgePlace first, second;
 };
 
-/// Finds two edges that meet in anything but the common vertex of consecutive edges, or nothing if there are
-/// none: a touching vertex, an overlap and a spike are clashes. Every cycle must have at least three vertices
-/// and no edge of zero length. O(n log n) in the total number of edges.
+/// Finds two edges that meet other than consecutive edges at their common vertex; nothing if all cycles are
+/// simple and disjoint. A touching vertex, an overlap and a spike (an edge that turns back along the one
+/// before) are clashes. Precondition: every cycle has at least three vertices and no edge of zero length. A
+/// plane sweep (Shamos and Hoey 1976): O(n log n) for n edges in all.
 std::optional<Clash> find_clash(const std::vector<std::vector<Point>>& cycles);
 
 }  // namespace limpet::audit

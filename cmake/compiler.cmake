@@ -24,7 +24,11 @@ target_compile_options(limpet_warnings INTERFACE -Wall -Wextra -Wshadow -Wconver
 if(LIMPET_WERROR)
   target_compile_options(limpet_warnings INTERFACE -Werror)
 endif()
-if(LIMPET_SANITIZE)
+# ON: addresses and undefined behaviour; thread: data races. The two do not go together.
+if(LIMPET_SANITIZE STREQUAL "thread")
+  add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=thread)
+elseif(LIMPET_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()

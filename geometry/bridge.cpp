@@ -8,6 +8,7 @@
 #include <limpet/geometry/search.hpp>
 
 #include "bridge_sections_internal.hpp"
+#include "small_vector_internal.hpp"
 
 namespace limpet::geometry {
 namespace {
@@ -19,7 +20,7 @@ using internal::SectionSearch;
 
 constexpr std::size_t kMaxContacts = 24;
 
-/// Where the kept perimeter behind Q's beginning ends, and where the one after its end goes on.
+/// The last vertex kept before Q, and the first one kept after it.
 Slot kept_before(const Foot& q1) { return q1.edge; }
 Slot kept_after(const Polygon& y, const Foot& q2) { return q2.cut ? y.next(q2.edge) : q2.edge; }
 
@@ -105,7 +106,7 @@ std::vector<Contact> contacts(const Polygon& a, const Polygon& b, double gap) {
   });
   std::sort(result.begin(), result.end(), [&](const Contact& p, const Contact& q) {
     if (p.x.squared_distance != q.x.squared_distance) return p.x.squared_distance < q.x.squared_distance;
-    const auto key = [&](const Contact& c) {  // of parallel edges several pairs are equally near
+    const auto key = [&](const Contact& c) {  // between parallel edges several pairs are equally near
       return std::tuple(a.node(c.x.edge).edge, b.node(c.y.edge).edge, c.x.fraction, c.y.fraction);
     };
     return key(p) < key(q);
@@ -119,16 +120,16 @@ std::vector<Contact> contacts(const Polygon& a, const Polygon& b, double gap) {
   return result;
 }
 
-/// Does the way from vertex v to p leave on the outside of the perimeter?
+/// Does the line from vertex v to p leave v on the outside of the perimeter?
 bool leaves_outside(const Polygon& polygon, Slot v, Point2 p) {
   const Point2 a = polygon.at(polygon.prev(v)), b = polygon.at(v), c = polygon.end(v);
   const bool left_of_in = orientation(a, b, p) > 0, left_of_out = orientation(b, c, p) > 0;
   return orientation(a, b, c) > 0 ? !(left_of_in && left_of_out) : !(left_of_in || left_of_out);
 }
 
-/// The edges to which the way along the perimeter from vertex v, in one of the directions, is below `length`.
-void edges_along(const Polygon& polygon, Slot v, double length, std::vector<Slot>& edges) {
-  edges.clear();
+/// The edges that are less than `length` from vertex v along the perimeter, in either direction.
+internal::SmallVector<Slot, 32> edges_along(const Polygon& polygon, Slot v, double length) {
+  internal::SmallVector<Slot, 32> edges;
   double way = 0;
   const auto pass = [&](Slot s) {
     edges.push_back(s);
@@ -141,6 +142,7 @@ void edges_along(const Polygon& polygon, Slot v, double length, std::vector<Slot
   s = v;
   do s = polygon.prev(s), pass(s);
   while (way < length && s != v);
+  return edges;
 }
 
 }  // namespace
@@ -165,10 +167,8 @@ bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
 
 bool bridge_self(Polygon& polygon, Slot vertex, double gap, EdgeIds& ids) {
   const Point2 v = polygon.at(vertex);
-  static thread_local std::vector<Slot> along;
-  edges_along(polygon, vertex, 2 * gap, along);
-  static thread_local std::vector<PerimeterPoint> near;
-  near.clear();
+  const auto along = edges_along(polygon, vertex, 2 * gap);
+  internal::SmallVector<PerimeterPoint, 16> near;
   polygon.any_edge_near(Box2{v, v}.grown(gap), [&](Slot s) {
     const auto& n = polygon.node(s);
     if (n.cycle != polygon.node(vertex).cycle || n.shared) return false;

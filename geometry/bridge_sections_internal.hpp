@@ -13,19 +13,19 @@ namespace limpet::geometry::internal {
 inline constexpr std::size_t kMaxWalk = 256;
 inline constexpr std::size_t kMaxAttempts = 24;
 
-/// An end of section Q: a vertex of Y, or a point that cuts the edge leaving `edge`.
+/// An end of section Q: a vertex of Y, or a point that divides an edge of Y.
 struct Foot {
-  Slot edge = kNoSlot;
-  std::optional<Point2> cut;  ///< rounded; none: the vertex at `edge`
+  Slot edge = kNoSlot;        ///< the vertex, or the edge that is divided
+  std::optional<Point2> cut;  ///< where the edge is divided, rounded; none: the end is the vertex
   Point2 at;
   double position = 0;  ///< along Y from the contact's edge, in edges
 };
 
-/// A possible end of section P: a vertex, or a point on the edge between the last vertex near enough and the
-/// next one (the thesis leaves these out to save work; without them a spike bridges to nothing). And its
-/// nearest point on Y.
+/// A possible end of section P, with its nearest point on Y. It is a vertex, or a point that divides the edge
+/// from the last vertex that is near enough to the next one. (The thesis leaves the latter out to save work;
+/// but without them a spike, whose edges are long, could not be bridged to anything.)
 struct SectionEnd {
-  Slot kept;                  ///< where the perimeter that stays ends, or goes on
+  Slot kept;                  ///< the vertex at which the perimeter that stays begins or ends
   std::optional<Point2> cut;  ///< the end itself when it is not that vertex
   Foot foot;
 };
@@ -35,7 +35,7 @@ struct Contact {
   PerimeterPoint x, y;
 };
 
-/// Looks for the sections P on x and Q on y around a contact. x and y may be one polygon.
+/// Searches for sections P of x and Q of y around a contact. x and y may be the same polygon.
 class SectionSearch {
  public:
   SectionSearch(const Polygon& x, const Polygon& y, const Contact& contact, double gap)
@@ -67,7 +67,8 @@ class SectionSearch {
     double offset;
   };
 
-  /// Edges of Y around the contact whose vertices stay within gap of X, with their places along Y.
+  /// Collects the edges of Y around the contact, in both directions for as long as vertices are within the
+  /// gap of X.
   void walk_q() {
     const std::size_t size = y_.cycle(y_.node(contact_.y.edge).cycle).size;
     const std::size_t limit = std::min(self_ ? std::size_t{6} : kMaxWalk, size - 1);
@@ -86,7 +87,7 @@ class SectionSearch {
     }
   }
 
-  /// A perimeter that meets itself keeps its shared edges; of two that merge they may go.
+  /// Within one polygon shared edges are kept; when two polygons merge, shared edges may be replaced.
   bool kept(const Polygon& polygon, Slot edge) const { return self_ && polygon.node(edge).shared; }
 
   bool near_x(Point2 p) const {
@@ -94,13 +95,13 @@ class SectionSearch {
     return nearest_perimeter_point(x_, p, gap_).has_value();
   }
 
-  /// The possible ends of P, by how many vertices lie between the kept one and the contact; nothing where an
-  /// end is out of sight of its foot. The last one may be a cut.
+  /// The possible ends of P in one direction, by the number of vertices between the end and the contact; none
+  /// where the end does not sight its foot. The last one may be a cut.
   std::vector<std::optional<SectionEnd>> walk_p(bool forward) const {
     std::vector<std::optional<SectionEnd>> result;
     const std::size_t size = x_.cycle(x_.node(contact_.x.edge).cycle).size;
     const std::size_t limit = std::min(self_ ? std::size_t{3} : kMaxWalk, size - 1);
-    // With the contact at a vertex, P may begin or end there.
+    // When the contact is a vertex, P may begin or end there.
     Slot s = forward && contact_.x.fraction > 0 ? x_.next(contact_.x.edge) : contact_.x.edge;
     Point2 inner = contact_.x.at;
     double inner_distance = std::sqrt(contact_.x.squared_distance);
@@ -112,7 +113,7 @@ class SectionSearch {
         break;
       }
       const SectionEnd end{s, std::nullopt, *foot};
-      // At the bottom of an inlet the perimeter comes to itself: nothing to bridge there.
+      // At the innermost vertex of an inlet the two sections meet: there is nothing to bridge.
       const bool bottom = foot->at == x_.at(s);
       result.push_back(!bottom && visible(end, forward) ? std::optional(end) : std::nullopt);
       inner = x_.at(s);
@@ -121,8 +122,8 @@ class SectionSearch {
     return result;
   }
 
-  /// From a point of P at this distance from Q towards the next vertex, which is too far: as far as is surely
-  /// near enough.
+  /// An end on the way from `inner`, at this distance from Q, to the vertex `outer`, which is too far from Q:
+  /// as far along it as is certain to be within the gap.
   std::optional<SectionEnd> cut_towards(Slot outer, Point2 inner, double distance, bool forward) const {
     const Point2 d = x_.at(outer) - inner;
     const double length = std::sqrt(squared_length(d));
@@ -135,8 +136,8 @@ class SectionSearch {
     return visible(end, forward) ? std::optional(end) : std::nullopt;
   }
 
-  /// The point of Q's stretch nearest to p. For p2 (forward) Q begins there, so it lies behind the contact;
-  /// for p1 before it.
+  /// The point nearest to p on the collected edges of Y. The foot of P's forward end is where Q begins, so it
+  /// lies before the contact along Y; the foot of its backward end lies after it.
   std::optional<Foot> nearest_on_q(Point2 p, bool forward) const {
     std::optional<Foot> best;
     double best_d2 = gap_ * gap_;

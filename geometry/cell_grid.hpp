@@ -9,12 +9,13 @@
 
 namespace limpet::geometry {
 
-/// A uniform grid of square cells over a box of the chart, as places for edges: cells have numbers from 0 to
-/// count() - 1. What lies outside the box belongs to the outermost cells.
+/// A uniform grid of square cells over a box of the chart, to sort edges into. Cells are numbered from 0 to
+/// count() - 1. Points outside the box belong to the outermost cells.
 class CellGrid {
  public:
   CellGrid() = default;
-  /// About two cells for each of `edges` edges (at least 1), but no more than 8 in a row or column for each.
+  /// About two cells per edge, but none smaller than 4 grid steps, and no more than 8·edges + 1 rows or
+  /// columns over a narrow box. Precondition: `edges` is at least 1.
   CellGrid(const Box2& box, std::size_t edges) : box_(box) {
     const double w = box.high.x - box.low.x, h = box.high.y - box.low.y;
     const double wanted = std::sqrt(w * h / static_cast<double>(2 * edges));
@@ -36,8 +37,8 @@ class CellGrid {
            static_cast<std::size_t>(column);
   }
 
-  /// Calls f(cell number) for all cells that the edge ab touches, and maybe some beside them; the same ones
-  /// for ba.
+  /// Calls f(cell number) for all cells that the edge ab touches, and perhaps for some next to them; for ba
+  /// it calls it for the same cells.
   template <class F>
   void for_cells_on(Point2 a, Point2 b, F&& f) const {
     const int i0 = column(std::min(a.x, b.x)), i1 = column(std::max(a.x, b.x));
@@ -47,7 +48,7 @@ class CellGrid {
         for (int i = i0; i <= i1; ++i) f(index(i, j));
       return;
     }
-    // A slanted edge: in every row, the columns between its ends there, and one more on either side for
+    // A slanted edge: in each row the columns that it spans there, and one more on either side to allow for
     // rounding.
     const double slope = (b.x - a.x) / (b.y - a.y);
     const double left = std::min(a.x, b.x), right = std::max(a.x, b.x);

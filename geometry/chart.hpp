@@ -8,24 +8,25 @@
 
 namespace limpet::geometry {
 
-/// A plane in the world: through `point`, unit `normal` facing outside.
+/// A plane in the world: through `point`, with the unit vector `normal` pointing out of the surface.
 struct Plane {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double height_of(const Eigen::Vector3d& p) const { return normal.dot(p - point); }
 };
 
-/// The smallest power of two that is not below `length`/4096: the grid of a model of that resolution.
-///  (1) Powers of two scale it exactly.
+/// The grid step of a model whose resolution is `length`: the smallest power of two not below length/4096.
+///  (1) Scaling the length by a power of two scales the step by the same.
 double grid_step_for(double length);
 
 /// The planar frame a perimeter lives in, fixed when its segment is born: origin in the world, orthonormal
 /// axes u, v and normal n = u × v. Chart coordinates are in grid steps along u and v.
-///  (1) project() undoes at(), at any height, but for rounding.
+///  (1) project() is the inverse of at(), at any height, up to rounding.
 class Chart {
  public:
   Chart() = default;
-  /// A chart on the plane; u follows `hint` as far as it can (any vector not along the normal).
+  /// A chart on the plane. u is the direction of `hint` projected onto the plane; `hint` must not be parallel
+  /// to the normal.
   Chart(const Plane& plane, const Eigen::Vector3d& hint, double step);
   Chart(const Eigen::Vector3d& origin, const Eigen::Vector3d& u, const Eigen::Vector3d& v,
         const Eigen::Vector3d& normal, double step)
@@ -36,7 +37,7 @@ class Chart {
     const Eigen::Vector3d d = p - origin_;
     return {d.dot(u_) / step_, d.dot(v_) / step_};
   }
-  /// The chart point at this height (grid steps) over the chart, in the world.
+  /// The world position of a chart point lifted by `height` (grid steps) along the normal.
   Eigen::Vector3d at(Point2 p, double height) const {
     return origin_ + step_ * (p.x * u_ + p.y * v_ + height * normal_);
   }
@@ -54,14 +55,14 @@ class Chart {
   double step_ = 1;
 };
 
-/// A plane as an affine height over a chart, in grid steps: the lift of chart points onto the plane along the
-/// chart's normal.
-///  (1) Lifted points lie on the plane, (2) and plane() gives that plane back, both but for rounding.
+/// A plane as an affine height map over a chart, in grid steps: it lifts chart points along the chart's
+/// normal onto the plane.
+///  (1) Lifted points lie on the plane, (2) and plane() gives that plane back, both up to rounding.
 struct Lift {
   double h0 = 0, hx = 0, hy = 0;
 
   Lift() = default;
-  /// Precondition: the plane is not at a right angle to the chart.
+  /// Precondition: the plane is not perpendicular to the chart.
   Lift(const Chart&, const Plane&);
 
   double operator()(Point2 p) const { return h0 + hx * p.x + hy * p.y; }

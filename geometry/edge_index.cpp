@@ -2,6 +2,8 @@
 #include <limpet/geometry/edge_index.hpp>
 #include <limpet/geometry/predicates.hpp>
 
+#include "small_vector_internal.hpp"
+
 namespace limpet::geometry {
 
 bool inside_even_odd(std::span<const Segment2> edges, Point2 p) {
@@ -24,7 +26,7 @@ bool EdgeIndex::fits(const Box2& box, std::size_t edges) const {
 
 void EdgeIndex::reset(const Box2& box, std::size_t edges) {
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
-  // A quarter of room on every side, so that a growing perimeter seldom asks for a new grid.
+  // With a margin of a quarter on every side, so that a growing perimeter seldom needs a new grid.
   reset_cells(box.grown(rounded_down(std::max(width, height) / 4) + 4), edges);
 }
 
@@ -64,7 +66,7 @@ int EdgeIndex::references_left_of(Point2 a, Point2 b, int j, int i0, int i1) con
   const double y = reference(i0, j).y;
   const double x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
   const auto left = [&](int i) { return orientation(a, b, reference(i, j)) > 0; };
-  int count = std::clamp(grid_.column(x), i0, i1 + 1) - i0;  // a guess, then made exact
+  int count = std::clamp(grid_.column(x), i0, i1 + 1) - i0;  // an estimate, which the predicate corrects
   while (count > 0 && !left(i0 + count - 1)) --count;
   while (i0 + count <= i1 && left(i0 + count)) ++count;
   return count;
@@ -77,10 +79,9 @@ void EdgeIndex::flip(std::span<const Segment2> sweep) {
   const int i0 = grid_.column(box.low.x), i1 = grid_.column(box.high.x);
   const int j0 = grid_.row(box.low.y), j1 = grid_.row(box.high.y);
   const int width = i1 - i0 + 1;
-  // crossings(i, j): is the number of sweep edges that cross the row with exactly i references on their left
-  // odd?
-  static thread_local std::vector<char> crossings;
-  crossings.assign(static_cast<std::size_t>(j1 - j0 + 1) * (width + 1), 0);
+  // In row j, at position i: the parity of the number of sweep edges that cross the row with exactly i
+  // reference points on their left.
+  internal::SmallVector<char, 512> crossings(static_cast<std::size_t>(j1 - j0 + 1) * (width + 1));
   for (const auto& [p, q] : sweep) {
     const bool up = p.y < q.y;
     const Point2 a = up ? p : q, b = up ? q : p;
@@ -91,7 +92,7 @@ void EdgeIndex::flip(std::span<const Segment2> sweep) {
     }
   }
   for (int j = j0; j <= j1; ++j) {
-    bool odd = false;  // crossings to the right of reference i
+    bool odd = false;  // the parity of the crossings to the right of reference point i
     for (int i = width; i-- > 0;) {
       odd ^= crossings[static_cast<std::size_t>(j - j0) * (width + 1) + i + 1] != 0;
       if (odd) states_[grid_.index(i0 + i, j)] ^= kInside;

@@ -13,35 +13,39 @@ namespace limpet::geometry {
 /// A directed boundary edge, by its ends.
 using Segment2 = std::pair<Point2, Point2>;
 
-/// Is p inside the closed chains made of these edges, by the even-odd rule? p must not lie on one of them.
-///  (1) Order and direction of the edges do not matter;
-///  (2) of two sets of chains together it is the exclusive or;
-///  (3) so edges that are there twice are not there;
-///  (4) motions (predicates.hpp) and the mirror keep it.
+/// Is p inside the closed chains made of these edges, by the even-odd rule? Precondition: p lies on none of
+/// them.
+///  (1) The order and the direction of the edges do not matter;
+///  (2) the answer for two sets of chains taken together is the exclusive or of the answers for each;
+///  (3) so two copies of the same edge cancel each other;
+///  (4) it is invariant under motions and reflection (predicates.hpp).
 bool inside_even_odd(std::span<const Segment2> edges, Point2 p);
 
-/// Finds the edges near a place, and on which side of the boundary it lies, without looking at the rest of
-/// the boundary.
+/// A spatial index of a polygon's edges: finds the edges near a point, and tells whether the point is inside,
+/// without visiting the rest of the boundary.
 ///
-/// A uniform grid of cells over the polygon's box lists the edges that touch each cell. Each cell has a
-/// reference point, and knows whether that is inside: a point's side then follows from the edges of its own
-/// cell. An edit flips the reference points it sweeps over. Small polygons (fewer than kMinimum edges) are
-/// not indexed: there the index names all slots.
+/// It is a uniform grid over the polygon's bounding box. Each cell lists the edges that touch it, has a
+/// reference point, and stores whether that point is inside the polygon; for any other point of the cell,
+/// that follows from the cell's own edges that separate the two. An edit flips what is stored of the
+/// reference points in the region it sweeps over. A polygon of fewer than kMinimum edges has no grid
+/// (active() is false): searches then visit all slots.
 ///
-/// Reference points have a half and a 2^-27 as fractions: no edge between grid points below 2^26 steps passes
-/// through one, because dx/2 - dy/2^27 is whole only for dx = dy = 0. Where an edge does pass through one, it
-/// counts as a little further in +x.
+/// Reference points have the fractional parts 2^-27 in x and 1/2 in y. An edge between grid points below 2^26
+/// steps cannot pass through one: with (dx, dy) its direction, dx/2 - dy/2^27 would have to be whole, which
+/// it is only for dx = dy = 0. Where coordinates are larger and an edge does pass through one, the reference
+/// point is taken to lie infinitesimally further in +x.
 class EdgeIndex {
  public:
   static constexpr std::size_t kMinimum = 24;
 
   bool active() const { return !states_.empty(); }
-  /// Can it hold edges in this box, at this number of edges, without being built anew?
+  /// Does the grid suit a boundary of so many edges in this box? If not, it should be rebuilt.
   bool fits(const Box2& box, std::size_t edges) const;
 
-  /// Starts anew for a boundary of `edges` edges in `box`; all edges are then added by add().
+  /// An empty grid for a boundary of `edges` edges in `box`. The caller then adds all edges with add() and
+  /// flips the region inside them.
   void reset(const Box2& box, std::size_t edges);
-  /// The same with the very cells of an index that was built for `edges` and had cells_box() as its box.
+  /// The same, with exactly the cells of an earlier index whose cells_box() and built_for() these are.
   void reset_cells(const Box2& cells_box, std::size_t edges);
   const Box2& cells_box() const { return grid_.box(); }
   std::size_t built_for() const { return built_for_; }
@@ -49,11 +53,11 @@ class EdgeIndex {
   void add(std::uint32_t slot, Point2 a, Point2 b);
   void remove(std::uint32_t slot, Point2 a, Point2 b);
 
-  /// Flips the side of every reference point inside the swept region (even-odd).
+  /// Flips the stored side of every reference point inside the region that these edges bound by the even-odd
+  /// rule.
   void flip(std::span<const Segment2> sweep);
 
-  /// The edges of p's cell, its reference point and whether that is inside. Precondition: active, p in the
-  /// box.
+  /// The edges of p's cell, and whether its reference point is inside. Precondition: active, p in the box.
   struct Cell {
     std::span<const std::uint32_t> edges;
     bool inside = false;
@@ -67,6 +71,8 @@ class EdgeIndex {
   Point2 reference_at(Point2 p) const { return reference(grid_.column(p.x), grid_.row(p.y)); }
   bool covers(Point2 p) const { return grid_.box().contains(p); }
 
+  /// Calls f(slot) for the edges in the cells that `box` meets (without a grid for the numbers below
+  /// `slots`), perhaps more than once for an edge, until f returns true. Returns whether it did.
   template <class F>
   bool any_near(const Box2& box, std::size_t slots, F&& f) const {
     if (!active()) {
@@ -89,14 +95,15 @@ class EdgeIndex {
 
  private:
   Point2 reference(int i, int j) const;
-  /// How many of the references i0..i1 of row j lie left of the upward edge ab, which crosses the row.
+  /// How many of the reference points i0..i1 of row j lie on the left of ab. Precondition: ab leads upwards
+  /// and crosses the line through the row's reference points.
   int references_left_of(Point2 a, Point2 b, int j, int i0, int i1) const;
 
   CellGrid grid_;
   std::size_t built_for_ = 0;
-  // Most cells have no edges: what is asked of them is kept apart, and small.
+  // Most cells have no edges, so what is asked of every cell is kept apart from the lists, in a byte each.
   static constexpr unsigned char kInside = 1, kHasEdges = 2;
-  std::vector<unsigned char> states_;  ///< by cell; kInside is about its reference point
+  std::vector<unsigned char> states_;  ///< by cell; kInside: its reference point is inside
   std::vector<std::vector<std::uint32_t>> edges_;
 };
 

@@ -1,6 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Working out what a change of a polygon's boundary takes away and puts in place, and making it.
+// What a change of a polygon's boundary removes and inserts, and making the change.
 #include <algorithm>
 
 #include <limpet/geometry/predicates.hpp>
@@ -9,61 +9,78 @@
 
 namespace limpet::geometry {
 
-Polygon::Difference& Polygon::difference(const Edit& edit) const {
-  static thread_local Difference d;  // one at a time, with the memory of those before
-  d.clear();
-  for (const Chain& chain : edit.chains) d.starts.push_back(chain.from), d.ends.push_back(chain.to);
-  for (auto* slots : {&d.starts, &d.ends}) {
+using internal::as_span;
+using internal::SmallVector;
+
+Polygon::Difference::Difference(const Polygon& polygon, const Edit& edit) {
+  for (const Chain& chain : edit.chains) starts.push_back(chain.from), ends.push_back(chain.to);
+  for (auto* slots : {&starts, &ends}) {
     std::sort(slots->begin(), slots->end());
-    if (std::adjacent_find(slots->begin(), slots->end()) != slots->end()) return d.broken = true, d;
+    broken |= std::adjacent_find(slots->begin(), slots->end()) != slots->end();
   }
-  ++stamp_;
-  const auto remove_edge = [&](Slot s) {
-    d.broken |= node(s).mark == stamp_;
-    node(s).mark = stamp_;
-    d.removed_edges.push_back(s);
-    d.sweep.emplace_back(at(s), end(s));
-  };
-  std::uint64_t key = nodes_.size();  // keys of new vertices follow the slots
+  std::uint64_t next_key = polygon.slot_count();  // keys of old vertices are their slots
   for (const Chain& chain : edit.chains) {
-    remove_edge(chain.from);
-    for (Slot s = next(chain.from); !d.ends_at(s) && !d.broken; s = next(s)) {
-      d.broken |= d.starts_at(s);
-      d.removed_vertices.push_back(s);
-      remove_edge(s);
-    }
-    if (d.broken) return d;
-    Point2 a = at(chain.from);
-    auto key_a = static_cast<std::uint64_t>(chain.from);
-    for (const NewVertex& v : chain.via) {
-      d.add_edge(a, v.at, key_a, key);
-      a = v.at, key_a = key++;
-    }
-    d.add_edge(a, at(chain.to), key_a, static_cast<std::uint64_t>(chain.to));
+    if (broken) return;
+    add_chain(polygon, chain, next_key);
   }
-  for (const CycleId id : edit.removed_cycles) {
-    Slot s = cycle(id).first;
-    for (std::uint32_t i = 0; i < cycle(id).size; ++i, s = next(s)) {
-      d.removed_vertices.push_back(s);
-      remove_edge(s);
-    }
-  }
-  if (d.broken) return d;
-  for (const auto& loop : edit.loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const std::size_t j = (i + 1) % loop.size();
-      d.add_edge(loop[i].at, loop[j].at, key + i, key + j);
-    }
-    key += loop.size();
-  }
-  for (const auto& [p, q] : d.sweep) d.box.add(p), d.box.add(q);
-  return d;
+  for (const CycleId id : edit.removed_cycles) remove_cycle(polygon, id);
+  sorted_removed_ = removed_edges;
+  std::sort(sorted_removed_.begin(), sorted_removed_.end());
+  broken |= std::adjacent_find(sorted_removed_.begin(), sorted_removed_.end()) != sorted_removed_.end();
+  if (broken) return;
+  for (const auto& loop : edit.loops) add_loop(loop, next_key);
+  for (const auto& [p, q] : sweep) box.add(p), box.add(q);
 }
 
-/// Walks all runs step by step together, until all but the longest one have come to their ends: that one then
-/// leads to the chain that none of the others leads to. Precondition: the edges that go are stamped.
+void Polygon::Difference::add_chain(const Polygon& polygon, const Chain& chain, std::uint64_t& next_key) {
+  remove_edge(polygon, chain.from);
+  for (Slot s = polygon.next(chain.from); !ends_at(s); s = polygon.next(s)) {
+    if (starts_at(s)) {  // another chain's, or this one's where the cycle has no end
+      broken = true;
+      return;
+    }
+    removed_vertices.push_back(s);
+    remove_edge(polygon, s);
+  }
+  Point2 a = polygon.at(chain.from);
+  auto key_a = static_cast<std::uint64_t>(chain.from);
+  for (const NewVertex& v : chain.via) {
+    add_edge(a, v.at, key_a, next_key);
+    a = v.at, key_a = next_key++;
+  }
+  add_edge(a, polygon.at(chain.to), key_a, static_cast<std::uint64_t>(chain.to));
+}
+
+void Polygon::Difference::remove_cycle(const Polygon& polygon, CycleId id) {
+  Slot s = polygon.cycle(id).first;
+  for (std::uint32_t i = 0; i < polygon.cycle(id).size; ++i, s = polygon.next(s)) {
+    removed_vertices.push_back(s);
+    remove_edge(polygon, s);
+  }
+}
+
+void Polygon::Difference::add_loop(const std::vector<NewVertex>& loop, std::uint64_t& next_key) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const std::size_t j = (i + 1) % loop.size();
+    add_edge(loop[i].at, loop[j].at, next_key + i, next_key + j);
+  }
+  next_key += loop.size();
+}
+
+void Polygon::Difference::remove_edge(const Polygon& polygon, Slot s) {
+  removed_edges.push_back(s);
+  sweep.emplace_back(polygon.at(s), polygon.end(s));
+}
+
+void Polygon::Difference::add_edge(Point2 a, Point2 b, std::uint64_t key_a, std::uint64_t key_b) {
+  new_edges.push_back({a, b, key_a, key_b});
+  sweep.emplace_back(a, b);
+}
+
+/// Walks all runs in lockstep until all but the longest one have ended; that one must then lead to the chain
+/// that none of the others leads to, so its vertices need not be visited.
 std::vector<Polygon::Run> Polygon::runs_of(const Edit& edit) const {
-  constexpr std::size_t kWitness = 4;  // so far at least, to know of a vertex that stays
+  constexpr std::size_t kWitness = 4;  // vertices that even the longest run is walked for
   const std::size_t n = edit.chains.size();
   std::vector<Run> runs(n);
   std::vector<std::pair<Slot, std::size_t>> starts;
@@ -77,8 +94,8 @@ std::vector<Polygon::Run> Polygon::runs_of(const Edit& edit) const {
       Run& run = runs[i];
       const Slot s = run.kept.empty() ? edit.chains[i].to : next(run.kept.back());
       run.kept.push_back(s);
-      if (node(s).mark != stamp_) return false;
       const auto start = std::lower_bound(starts.begin(), starts.end(), std::pair(s, std::size_t{0}));
+      if (start == starts.end() || start->first != s) return false;
       run.next_chain = start->second;
       run.walked = true;
       led_to[run.next_chain] = 1;
@@ -91,17 +108,20 @@ std::vector<Polygon::Run> Polygon::runs_of(const Edit& edit) const {
   return runs;
 }
 
-void Polygon::commit(const Edit& edit, EdgeIds& ids) { commit(edit, difference(edit), ids); }
+void Polygon::commit(const Edit& edit, EdgeIds& ids) {
+  Difference d(*this, edit);
+  commit(edit, d, ids);
+}
 
 Verdict Polygon::change(const Edit& edit, EdgeIds& ids) {
-  Difference& d = difference(edit);
+  Difference d(*this, edit);
   const Verdict verdict = judge(edit, d);
   if (verdict == Verdict::valid) commit(edit, d, ids);
   return verdict;
 }
 
 Verdict Polygon::grow(const Edit& edit, EdgeIds& ids, double least) {
-  Difference& d = difference(edit);
+  Difference d(*this, edit);
   Verdict verdict = judge(edit, d);
   if (verdict == Verdict::valid) verdict = judge_growth(d, least);
   if (verdict == Verdict::valid) commit(edit, d, ids);
@@ -114,8 +134,7 @@ void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
   const auto ref = [this](Slot s) -> Node& { return nodes_[static_cast<std::uint32_t>(s)]; };
   const bool simple = edit.chains.size() == 1 && edit.loops.empty() && edit.removed_cycles.empty();
   if (!simple && d.runs.empty()) d.runs = runs_of(edit);
-  static thread_local std::vector<EdgeId> kept;  // identities that a new vertex brings along are not removed
-  kept.clear();
+  SmallVector<EdgeId, 8> kept;  // identities of removed edges that new edges take over
   for (const Chain& c : edit.chains) {
     if (c.edge) kept.push_back(c.edge);
     for (const NewVertex& v : c.via)
@@ -129,20 +148,16 @@ void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
     if (index_.active()) index_.remove(static_cast<std::uint32_t>(s), at(s), end(s));
     if (!std::binary_search(kept.begin(), kept.end(), node(s).edge)) removed_.push_back(node(s).edge);
   }
-  static thread_local std::vector<CycleId> freed;
-  freed = edit.removed_cycles;
-  for (const Chain& c : edit.chains) freed.push_back(node(c.from).cycle);
   joins_ += std::any_of(edit.chains.begin(), edit.chains.end(), [&](const Chain& c) {
     return node(c.from).cycle != node(edit.chains.front().from).cycle;
   });
   for (const Slot s : d.removed_vertices) free_node(s);
 
-  static thread_local std::vector<Slot> touched;  // slots whose edge is new
-  touched.clear();
+  SmallVector<Slot, 16> touched;  // slots whose edges are new
   for (const Chain& c : edit.chains) {
     const CycleId id = node(c.from).cycle;
     Slot last = c.from;
-    ref(last).edge = c.edge ? c.edge : ids.take();  // the edge that left `from` is gone
+    ref(last).edge = c.edge ? c.edge : ids.take();  // `from` stays, but the edge that left it was removed
     ref(last).shared = c.shared;
     created_.emplace_back(last, ref(last).edge);
     touched.push_back(last);
@@ -176,22 +191,23 @@ void Polygon::commit(const Edit& edit, Difference& d, EdgeIds& ids) {
       ref(last).next = first, ref(first).prev = last;
       loop_starts.push_back(first);
     }
-    label_cycles(edit, d, freed, loop_starts);
+    label_cycles(edit, d, loop_starts);
   }
   ++version_;
   if (!index_.fits(box_, index_size())) return rebuild_index();
   if (!index_.active()) return;
   for (const Slot s : touched) index_.add(static_cast<std::uint32_t>(s), at(s), end(s));
-  index_.flip(d.sweep);
+  index_.flip(as_span(d.sweep));
 }
 
-/// Sorts the vertices into cycles again. The cycle with the run that was not walked, if there is one, keeps
-/// its identity and the labels on that run.
-void Polygon::label_cycles(const Edit& edit, const Difference& d, std::vector<CycleId> freed,
-                           std::span<const Slot> loop_starts) {
+/// Labels the vertices with their new cycles. The cycle with the run that was not walked, if there is one,
+/// keeps its old label, so that the vertices of that run need not be visited.
+void Polygon::label_cycles(const Edit& edit, const Difference& d, std::span<const Slot> loop_starts) {
+  std::vector<CycleId> freed = edit.removed_cycles;
+  for (const Chain& c : edit.chains) freed.push_back(node(c.from).cycle);
   std::sort(freed.begin(), freed.end());
   freed.erase(std::unique(freed.begin(), freed.end()), freed.end());
-  std::size_t vertices = 0;  // of all cycles that are new
+  std::size_t vertices = 0;  // on all new cycles; in the end, on the one that keeps its label
   for (const CycleId id : freed) vertices += cycle(id).size;
   vertices -= d.removed_vertices.size();
   for (const Chain& c : edit.chains) vertices += c.via.size();
@@ -200,36 +216,33 @@ void Polygon::label_cycles(const Edit& edit, const Difference& d, std::vector<Cy
   const auto open = std::find_if(d.runs.begin(), d.runs.end(), [](const Run& r) { return !r.walked; });
   const bool walked = open == d.runs.end();
   const CycleId kept = walked ? CycleId{} : node(open->kept.front()).cycle;
-  std::vector<char> on_kept(edit.chains.size());
-  if (!walked) {
-    const auto first = static_cast<std::size_t>(open - d.runs.begin());
-    std::size_t c = first;
-    do on_kept[c] = 1, c = d.runs[c].next_chain;
-    while (c != first);
-  }
+  std::vector<char> labelled(edit.chains.size());
+  const auto set_labelled = [&](std::size_t first) {  // all chains on the cycle of this one
+    for (std::size_t c = first; !labelled[c]; c = d.runs[c].next_chain) labelled[c] = 1;
+  };
+  if (!walked) set_labelled(static_cast<std::size_t>(open - d.runs.begin()));
+  const std::vector<char> on_kept = labelled;
   for (const CycleId id : freed)
     if (walked || id != kept) cycles_[static_cast<std::uint32_t>(id)] = {};
 
-  ++stamp_;
   const auto label = [&](Slot first) {
-    if (node(first).mark == stamp_) return;
     std::vector<Point2> points;
     Slot s = first;
-    do {
-      nodes_[static_cast<std::uint32_t>(s)].mark = stamp_;
-      points.push_back(at(s));
-      s = next(s);
-    } while (s != first);
+    do points.push_back(at(s)), s = next(s);
+    while (s != first);
     relabel(first, add_cycle(), chain_orientation(points) < 0);
     vertices -= points.size();
   };
   for (const Slot first : loop_starts) label(first);
-  for (std::size_t c = 0; c < edit.chains.size(); ++c)
-    if (!on_kept[c]) label(edit.chains[c].from);
+  for (std::size_t c = 0; c < edit.chains.size(); ++c) {
+    if (labelled[c]) continue;
+    label(edit.chains[c].from);
+    set_labelled(c);
+  }
   if (walked) return;
   for (std::size_t c = 0; c < edit.chains.size(); ++c) {
     if (!on_kept[c]) continue;
-    Slot s = next(edit.chains[c].from);  // the chain's own vertices, then those of the run behind it
+    Slot s = next(edit.chains[c].from);  // the vertices of the chain, then those of the run behind it
     const Run& run = d.runs[c];
     for (; s != edit.chains[c].to; s = next(s)) nodes_[static_cast<std::uint32_t>(s)].cycle = kept;
     if (run.walked)

@@ -4,36 +4,51 @@
 #include <limpet/geometry/judge.hpp>
 #include <limpet/geometry/polygon.hpp>
 
+#include "small_vector_internal.hpp"
+
 namespace limpet::geometry {
 
-/// What stays of the boundary between the end of one chain of an edit and the start of the next one.
+/// The boundary that stays between the end of one chain of an edit and the start of the next chain.
 struct Polygon::Run {
-  std::vector<Slot> kept;  ///< from the first chain's `to` to the second one's `from`; all of it if walked
+  std::vector<Slot> kept;      ///< from the first chain's `to`; as far as the second one's `from` if walked
   std::size_t next_chain = 0;  ///< index of the second chain
-  bool walked = false;
+  bool walked = false;         ///< `kept` holds all of the run
 };
 
+/// What the edit does to the boundary. The inline capacities suit the usual edit: one chain that replaces two
+/// or three edges.
 struct Polygon::Difference {
-  std::vector<Slot> removed_edges;  ///< these bear the polygon's stamp
-  std::vector<Slot> removed_vertices;
-  std::vector<KeyedEdge> new_edges;
-  std::vector<Segment2> sweep;
-  std::vector<Slot> starts, ends;  ///< of the chains, sorted
-  std::vector<Run> runs;           ///< one behind each chain; at most one of them not walked to its end
-  Box2 box;
-  bool broken = false;  ///< the chains and removed cycles get into each other's way
+  Difference(const Polygon&, const Edit&);
+  Difference(const Difference&) = delete;
+  Difference& operator=(const Difference&) = delete;
 
-  void clear() {
-    removed_edges.clear(), removed_vertices.clear(), new_edges.clear(), sweep.clear();
-    starts.clear(), ends.clear(), runs.clear();
-    box = {}, broken = false;
-  }
-  void add_edge(Point2 a, Point2 b, std::uint64_t key_a, std::uint64_t key_b) {
-    new_edges.push_back({a, b, key_a, key_b});
-    sweep.emplace_back(a, b);
+  internal::SmallVector<Slot, 8> removed_edges;  ///< in the order in which they are met
+  internal::SmallVector<Slot, 8> removed_vertices;
+  internal::SmallVector<KeyedEdge, 8> new_edges;
+  /// Removed and new edges together: by the even-odd rule they bound the region that changes sides.
+  internal::SmallVector<Segment2, 16> sweep;
+  internal::SmallVector<Slot, 4> starts, ends;  ///< of the chains, sorted
+  std::vector<Run> runs;  ///< one behind each chain, at most one of them not walked; empty until needed
+  Box2 box;               ///< of the sweep
+  bool broken = false;    ///< chains or removed cycles overlap; the rest is then incomplete
+
+  bool removes(Slot edge) const {
+    const Slot *first = sorted_removed_.data(), *last = first + sorted_removed_.size();
+    if (last - first > 8) return std::binary_search(first, last, edge);
+    while (first != last && *first < edge) ++first;  // faster for the usual two or three
+    return first != last && *first == edge;
   }
   bool starts_at(Slot s) const { return std::binary_search(starts.begin(), starts.end(), s); }
   bool ends_at(Slot s) const { return std::binary_search(ends.begin(), ends.end(), s); }
+
+ private:
+  void remove_edge(const Polygon&, Slot);
+  void add_edge(Point2 a, Point2 b, std::uint64_t key_a, std::uint64_t key_b);
+  void add_chain(const Polygon&, const Chain&, std::uint64_t& next_key);
+  void remove_cycle(const Polygon&, CycleId);
+  void add_loop(const std::vector<NewVertex>&, std::uint64_t& next_key);
+
+  internal::SmallVector<Slot, 8> sorted_removed_;
 };
 
 }  // namespace limpet::geometry

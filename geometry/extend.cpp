@@ -7,29 +7,31 @@
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/geometry/search.hpp>
 
+#include "small_vector_internal.hpp"
+
 namespace limpet::geometry {
 namespace {
 
 constexpr std::size_t kMaxAttempts = 12;
 
-/// A possible end of the section: a vertex, or a point on the edge that leaves or reaches a vertex.
+/// A possible end of the section: a vertex, or a point that divides the edge next to it.
 struct SectionEnd {
-  Slot vertex = kNoSlot;      ///< where the kept perimeter ends (backward) or goes on (forward)
+  Slot vertex = kNoSlot;      ///< the last vertex kept before the section, or the first one after it
   std::optional<Point2> cut;  ///< the end itself when it is not that vertex
   double length = 0;          ///< along the perimeter from the nearest point
   std::size_t steps = 0;      ///< vertices passed since the nearest edge
 };
 
-/// Where the line from `inner` (within gap of q) to `outer` (beyond) leaves the disc; nothing when that is an
-/// end of it.
+/// Where the line from `inner`, within gap of q, to `outer`, farther away, leaves the disc around q; nothing
+/// when that is too near to one of its ends.
 std::optional<Point2> leaving_point(Point2 inner, Point2 outer, Point2 q, double gap) {
   const Point2 d = outer - inner, m = inner - q;
   const double a = squared_length(d), b = dot(m, d), c = squared_length(m) - gap * gap;
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
   const double t = a > 0 ? (root - b) / a : 0;
-  // Two steps inside, so that rounding does not carry it out of the disc.
+  // Two steps inside the disc, so that rounding does not carry it out.
   const Point2 p = round_to_grid(inner + std::max(0.0, t - 2 / std::sqrt(a)) * d);
-  const double keep_off = 16;  // steps from both ends: no slivers
+  const double keep_off = 16;  // four steps, squared: shorter edges would be slivers
   if (squared_length(p - inner) < keep_off || squared_length(p - outer) < keep_off) return std::nullopt;
   return p;
 }
@@ -95,13 +97,12 @@ Extension extend_to_point(Polygon& polygon, Point2 q, double gap, EdgeIds& ids) 
   const auto back = search.ends(false), forward = search.ends(true);
   const std::size_t size = polygon.cycle(polygon.node(nearest->edge).cycle).size;
 
-  // Longest first; the two ends may not pass each other on the far side of a small perimeter.
+  // Longest sections first. On a small perimeter the two ends must not pass each other on the far side.
   struct Pair {
     double length;
     std::size_t i, j;
   };
-  static thread_local std::vector<Pair> pairs;
-  pairs.clear();
+  internal::SmallVector<Pair, 32> pairs;
   for (std::size_t i = 0; i < back.size(); ++i)
     for (std::size_t j = 0; j < forward.size(); ++j) {
       const std::size_t passed = back[i].steps + forward[j].steps;

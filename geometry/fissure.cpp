@@ -16,17 +16,18 @@ namespace {
 
 bool within(Point2 a, Point2 b, double gap) { return squared_length(a - b) < gap * gap; }
 
-/// The foot of p on the inside of edge ab, if p is within gap of it there. One beside an end is none: it
-/// would only follow the rounding of the foot before it, step by step, and turn a long edge inwards with it.
+/// The foot of the perpendicular from p on edge ab, rounded, if it is between the ends and within gap of p. A
+/// foot within two steps of an end is not used: repeated fillings would follow the rounding of the foot
+/// before, step by step, and turn a long edge inwards.
 std::optional<Point2> foot_on(Point2 a, Point2 b, Point2 p, double gap) {
   const Point2 foot = round_to_grid(a + nearest_fraction(a, b, p) * (b - a));
   if (within(foot, a, 2) || within(foot, b, 2) || foot == p || !within(foot, p, gap)) return std::nullopt;
   return foot;
 }
 
-/// Types I to III for the vertices a, b, c; `first` and `last` name them among the four.
+/// Types I to III at the vertices a, b, c; `last` is the index of c among the four.
 std::optional<Filling> three(FissureType type, Point2 a, Point2 b, Point2 c, double gap, std::size_t last) {
-  if (orientation(a, b, c) >= 0) return std::nullopt;  // the outside is on the right: a notch turns right
+  if (orientation(a, b, c) >= 0) return std::nullopt;  // the outside is on the right, so an inlet turns right
   if (type == FissureType::I) {
     if (!within(a, c, gap)) return std::nullopt;
     return Filling{type, 0, last, std::nullopt};
@@ -56,7 +57,7 @@ std::optional<Filling> find_fissure(FissureType type, const std::array<Point2, 4
       return three(type, v[0], v[1], v[2], gap, 2);
     case FissureType::IV: {
       if (!within(v[1], v[2], gap) || !within(v[0], v[3], gap)) return std::nullopt;
-      // The external angle between v1v2 and v3v4 is below 180° when the two turns together go right.
+      // The external angle between v1v2 and v3v4 is below 180° when v1 v2 v3 v4 is clockwise on the whole.
       const double area = cross(v[1] - v[0], v[2] - v[0]) + cross(v[2] - v[0], v[3] - v[0]);
       if (area >= 0) return std::nullopt;
       return Filling{type, 0, 3, std::nullopt};
@@ -93,7 +94,8 @@ class Filler {
 
   std::size_t run(std::span<const std::pair<Slot, EdgeId>> fresh) {
     queue_.assign(fresh.begin(), fresh.end());
-    // Every filling adds area and takes perimeter away, so it ends; the bound is for the float builds.
+    // Every filling adds area and shortens the perimeter, so this terminates; the bound is for the float
+    // builds.
     std::size_t budget = 1000 + 40 * queue_.size();
     for (std::size_t done = 0; done < queue_.size() && budget-- > 0; ++done) {
       const auto [slot, edge] = queue_[done];
@@ -131,7 +133,7 @@ class Filler {
     return false;
   }
 
-  /// The cheap conditions of find_fissure(), which most vertices fail.
+  /// The conditions of find_fissure() that are cheap, and that most vertices fail.
   bool possible(FissureType type, const std::array<Point2, 4>& v) const {
     const auto within = [&](Point2 a, Point2 b) { return squared_length(a - b) < gap_ * gap_; };
     const auto acute_notch = [](Point2 a, Point2 b, Point2 c) {
@@ -153,7 +155,8 @@ class Filler {
     return false;
   }
 
-  /// Do the new edge's ends sight each other past the section that goes, on the outside of it?
+  /// Is the region simple and on the outside of the perimeter, so that the ends of the new edge sight each
+  /// other along the removed edges?
   static bool lies_outside(const std::vector<Point2>& region) {
     std::vector<KeyedEdge> edges;
     for (std::size_t i = 0; i < region.size(); ++i) {
@@ -203,8 +206,8 @@ class Filler {
   double gap_;
   EdgeIds& ids_;
   bool bridge_;
-  std::vector<std::pair<Slot, EdgeId>> queue_;  ///< edges to look at, and those looked at
-  std::size_t read_ = polygon_.created().size();  ///< so many of the edges put in place are in the queue, or were there before
+  std::vector<std::pair<Slot, EdgeId>> queue_;  ///< the worklist of edges; those examined stay in it
+  std::size_t read_ = polygon_.created().size();  ///< of the edges put in place, so many are in the worklist
   std::size_t count_ = 0;
 };
 
@@ -227,7 +230,7 @@ bool collapses(std::vector<Point2> chain, double gap) {
       if (needs_four(type) && n < 4) continue;
       const auto filling = internal::find_fissure(type, v, gap);
       if (!filling) continue;
-      std::vector<Point2> rest;  // from `last` all the way round to `first`, then the foot
+      std::vector<Point2> rest;  // from `last` around the chain to `first`, then the foot
       for (std::size_t k = filling->last; k <= n; ++k) rest.push_back(chain[(i + k) % n]);
       if (filling->foot) rest.push_back(*filling->foot);
       chain = std::move(rest);

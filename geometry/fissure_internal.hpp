@@ -12,14 +12,14 @@ namespace limpet::geometry::internal {
 
 enum class FissureType { I, II, III, IV, V, VI };
 
-/// How a fissure among four consecutive vertices is filled: an edge chain from vertex `first` by way of
-/// `foot`, if there is one, to vertex `last`; what lies between goes.
+/// How a fissure among four consecutive vertices is filled: the vertices between `first` and `last` are
+/// replaced by `foot`, if there is one, or by nothing.
 struct Filling {
   FissureType type;
   std::size_t first = 0, last = 0;
   std::optional<Point2> foot;  ///< v5, rounded
 
-  /// The outline of what is filled: along the removed section, then back by the new edge.
+  /// The region that is filled: along the removed edges, then back along the new edge.
   std::vector<Point2> region(const std::array<Point2, 4>& v) const;
 };
 

@@ -21,7 +21,7 @@ bool inside_cycle(const std::vector<NewVertex>& cycle, Point2 p) {
   return inside_even_odd(edges, p);
 }
 
-/// Cycles are disjoint here, so one vertex of each tells where all of it lies.
+/// Precondition: the cycles are disjoint, so that each lies wholly where its first vertex lies.
 bool nested_rightly(std::span<const std::vector<NewVertex>> cycles) {
   std::vector<Box2> boxes(cycles.size());
   for (std::size_t i = 0; i < cycles.size(); ++i)
@@ -36,8 +36,8 @@ bool nested_rightly(std::span<const std::vector<NewVertex>> cycles) {
   return true;
 }
 
-/// Calls f(i, j) for pairs i < j of edges that are near each other, among them all that touch; maybe more
-/// than once for a pair. f returns true to stop.
+/// Calls f(i, j) for pairs i < j of edges that are near each other, all that touch among them, perhaps more
+/// than once for a pair, until f returns true. Returns whether it did.
 template <class F>
 bool any_near_pair(std::span<const KeyedEdge> edges, F&& f) {
   constexpr std::size_t kFew = 8;
@@ -50,7 +50,8 @@ bool any_near_pair(std::span<const KeyedEdge> edges, F&& f) {
   Box2 box;
   for (const KeyedEdge& e : edges) box.add(e.a), box.add(e.b);
   const CellGrid grid(box, edges.size());
-  // The edges of all cells, one cell after the other: first counted, then put in place.
+  // The edges of all cells in one array, cell by cell (a counting sort): `ends` first counts, then says where
+  // each cell's edges begin and end.
   std::vector<std::uint32_t> ends(grid.count() + 1);
   for (const KeyedEdge& e : edges) grid.for_cells_on(e.a, e.b, [&](std::size_t cell) { ++ends[cell + 1]; });
   for (std::size_t cell = 1; cell < ends.size(); ++cell) ends[cell] += ends[cell - 1];

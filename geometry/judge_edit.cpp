@@ -2,33 +2,37 @@
 //
 // Judging a candidate change of a polygon's boundary.
 //
-// Why the local judgement suffices. Let the polygon be valid, and let (1) no new edge meet an edge that
-// stays, or another new edge, but in a common vertex, and (2) no vertex that stays lie in the swept region
-// (the even-odd region of removed and new edges). Then the new cycles are simple and disjoint, and around
-// every vertex that stays the inside is where it was, so each cycle that keeps a vertex besides the ends of
-// its chains keeps the inside on its left. Of cycles that keep none it is asked explicitly, in O(n). With the
-// inside on the left of all cycles, and one of them anticlockwise, each of the others is a hole in that one.
+// Why judging only what changes suffices. Let the polygon be valid, and let (1) no new edge meet an edge that
+// stays, or another new edge, except in a common vertex, and (2) no vertex that stays lie in the swept
+// region, which is bounded by the removed and new edges under the even-odd rule. Then the new cycles are
+// simple and disjoint, and the inside around every vertex that stays is where it was. So a cycle that keeps a
+// vertex other than the ends of its chains has the inside on its left. For cycles that keep none this is
+// tested explicitly, in O(n). With the inside on the left of all cycles, and exactly one of them
+// anticlockwise, every other cycle is a hole in that one.
 #include <cmath>
 #include <limpet/geometry/predicates.hpp>
 
 #include "edit_internal.hpp"
 
 namespace limpet::geometry {
+
+using internal::as_span;
+
 namespace {
 
 /// What is known of a new cycle.
 struct Ring {
-  bool witnessed = false;  ///< a vertex stays besides the ends of its chains
+  bool witnessed = false;  ///< a vertex other than the ends of its chains stays: the inside is on the left
   bool walked = true;      ///< all of its vertices have been collected
 };
 
 }  // namespace
 
 Verdict Polygon::judge_new_edges(const Difference& d) const {
-  if (const Verdict v = judge_edges(d.new_edges); v != Verdict::valid) return v;
+  if (const Verdict v = judge_edges(as_span(d.new_edges)); v != Verdict::valid) return v;
   for (const KeyedEdge& e : d.new_edges) {
     const bool conflict = any_edge_near(box_of(e.a, e.b), [&](Slot s) {
-      if (node(s).mark == stamp_) return false;
+      if (d.removes(s)) return false;
       return in_conflict(e,
                          {at(s), end(s), static_cast<std::uint64_t>(s), static_cast<std::uint64_t>(next(s))});
     });
@@ -39,9 +43,10 @@ Verdict Polygon::judge_new_edges(const Difference& d) const {
 
 Verdict Polygon::judge_swept(const Difference& d) const {
   const bool swept = any_edge_near(d.box, [&](Slot s) {
-    // A vertex stays when its own edge does, or when it begins a removed stretch (then it is on a chain).
-    if (node(s).mark == stamp_ || !d.box.contains(at(s)) || d.ends_at(s)) return false;
-    return inside_even_odd(d.sweep, at(s));
+    // A vertex whose edge is removed either goes too or begins a chain; one that ends a chain is on it as
+    // well.
+    if (!d.box.contains(at(s)) || d.removes(s) || d.ends_at(s)) return false;
+    return inside_even_odd(as_span(d.sweep), at(s));
   });
   return swept ? Verdict::swept_vertex : Verdict::valid;
 }
@@ -57,7 +62,7 @@ Verdict Polygon::judge_growth(const Difference& d, double least) const {
   return twice_gained / 2 - least >= -kRounding * rounded ? Verdict::valid : Verdict::shrinking;
 }
 
-/// Cycles that the edit leaves alone, and are anticlockwise.
+/// The number of anticlockwise cycles that the edit leaves alone.
 std::size_t Polygon::untouched_outer(const Edit& edit) const {
   std::vector<char> touched(cycles_.size());
   for (const CycleId id : edit.removed_cycles) touched[static_cast<std::uint32_t>(id)] = 1;
@@ -116,15 +121,15 @@ Verdict Polygon::judge_orientation(const Edit& edit, Difference& d) const {
     if (const Verdict v = judge_cycle(false); v != Verdict::valid) return v;
   }
   if (!long_ring) return outer == 1 ? Verdict::valid : Verdict::orientation;
-  // The inside is bounded and on the left of all cycles, so one of them is anticlockwise: if none of the
-  // others is, then this one. Else it must be a hole, and inside that one.
+  // The inside is bounded and lies on the left of all cycles, so at least one of them is anticlockwise. If no
+  // other cycle is, then this one must be. Otherwise it must be a hole inside the other.
   if (outer == 0) return Verdict::valid;
   const Point2 p = at(edit.chains[*long_ring].to);
   if (outer > 1 || (outer_is_new && !outer_box.contains(p))) return Verdict::orientation;
   return orientation_of(edit, d, *long_ring) < 0 ? Verdict::valid : Verdict::orientation;
 }
 
-/// Orientation of the new cycle that chain `first` is on, all of it walked.
+/// Orientation of the new cycle that chain `first` is on, with all of its vertices visited.
 int Polygon::orientation_of(const Edit& edit, const Difference& d, std::size_t first) const {
   std::vector<Point2> points;
   std::size_t c = first;
@@ -140,24 +145,27 @@ int Polygon::orientation_of(const Edit& edit, const Difference& d, std::size_t f
 
 bool Polygon::inside_others(const std::vector<Point2>& cycle, const Difference& d) const {
   std::vector<Segment2> edges;
-  // The new boundary is the old one exclusive-or the sweep, so a vertex off the old one is placed by
-  // locate().
+  // The new boundary is the exclusive or of the old one and the sweep. So for a vertex that is not on the old
+  // boundary, locate() answers for the old one, and only the sweep has to be added.
   for (const Point2 p : cycle) {
     const Side side = locate(p);
     if (side == Side::boundary) continue;
-    edges = d.sweep;
+    edges.assign(d.sweep.begin(), d.sweep.end());
     for (std::size_t i = 0; i < cycle.size(); ++i)
       edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
     return (side == Side::inside) != inside_even_odd(edges, p);
   }
-  for (const Node& n : nodes_)
-    if (n.edge && n.mark != stamp_) edges.emplace_back(n.at, at(n.next));
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i)
+    if (nodes_[i].edge && !d.removes(Slot{i})) edges.emplace_back(at(Slot{i}), end(Slot{i}));
   for (const KeyedEdge& e : d.new_edges) edges.emplace_back(e.a, e.b);
   for (std::size_t i = 0; i < cycle.size(); ++i) edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
-  return inside_even_odd(edges, cycle.front());  // the cycle's own edges are there twice
+  return inside_even_odd(edges, cycle.front());  // the cycle's own edges occur twice and cancel
 }
 
-Verdict Polygon::judge(const Edit& edit) const { return judge(edit, difference(edit)); }
+Verdict Polygon::judge(const Edit& edit) const {
+  Difference d(*this, edit);
+  return judge(edit, d);
+}
 
 Verdict Polygon::judge(const Edit& edit, Difference& d) const {
   if (d.broken) return Verdict::orientation;

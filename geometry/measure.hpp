@@ -5,7 +5,7 @@
 
 namespace limpet::geometry {
 
-/// Area within a cycle, grid steps squared; positive when it is anticlockwise. In double arithmetic.
+/// Signed area of a cycle, in grid steps squared: positive when it is anticlockwise. In double arithmetic.
 inline double signed_area(const Polygon& polygon, const Polygon::Cycle& cycle) {
   double twice = 0;
   const Point2 origin = polygon.at(cycle.first);
@@ -15,7 +15,7 @@ inline double signed_area(const Polygon& polygon, const Polygon::Cycle& cycle) {
   return twice / 2;
 }
 
-/// Area of the polygon, its holes left out, summed anew.
+/// Area of the polygon without its holes, summed over all edges; Polygon::area() is kept incrementally.
 inline double area(const Polygon& polygon) {
   double sum = 0;
   for (const auto& cycle : polygon.cycles())

@@ -14,7 +14,8 @@ namespace {
 using Cycle = std::vector<NewVertex>;
 using Cycles = std::vector<Cycle>;
 
-/// The edges of all cycles, one after the other; an edge has the number, and its start the key, of its start.
+/// The edges of all cycles. Vertices are numbered through all cycles; an edge has the number of its start,
+/// and these numbers are the keys.
 std::vector<KeyedEdge> edges_of(const Cycles& cycles) {
   std::vector<KeyedEdge> edges;
   for (const Cycle& cycle : cycles) {
@@ -41,11 +42,11 @@ std::optional<Point2> nearest_on_side(Point2 p, Point2 home, Point2 a, Point2 b,
   return best;
 }
 
-/// Vertices by number, with the edges that follow them.
+/// On which sides of edges vertices were before the transfer. Vertices, and the edges that leave them, by
+/// number.
 class Sides {
  public:
-  /// `home`: where the vertices are at first; none goes farther from there than two steps, in however many
-  /// conflicts it is.
+  /// `home`: the vertices as transferred, from where none is moved farther than two steps along an axis.
   Sides(std::vector<KeyedEdge> before, std::vector<Point2> home)
       : before_(std::move(before)), home_(std::move(home)) {}
 
@@ -63,7 +64,7 @@ class Sides {
     const int side = orientation(before_[edge].a, before_[edge].b, before_[vertex].a);
     if (side == 0 || orientation(a, b, p) == side) return;
     const Point2 foot = a + nearest_fraction(a, b, p) * (b - a);
-    if (squared_length(foot - p) > 8) return;  // that is not where they conflict
+    if (squared_length(foot - p) > 8) return;  // too far from the edge to be the cause of the conflict
     if (const auto moved = nearest_on_side(p, home_[vertex], a, b, side)) at[vertex] = *moved;
   }
 
@@ -83,8 +84,9 @@ void drop_close(Cycle& cycle) {
       remove_vertex(cycle, i);
 }
 
-/// One round of removals: for each conflict, of the four ends the one that changes the least area, unless an
-/// earlier removal of the round has changed the edges. Returns the area that the boundary passes over.
+/// One round of removals: for each conflict, of the four ends of the two edges the one whose removal changes
+/// the least area, unless an earlier removal of the round has changed one of these edges. Returns the area
+/// that the boundary sweeps over.
 double remove_conflicts(Cycles& cycles, const std::vector<KeyedEdge>& edges,
                         const std::vector<std::pair<std::size_t, std::size_t>>& conflicts) {
   std::vector<std::size_t> before(edges.size());

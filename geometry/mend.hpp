@@ -7,27 +7,28 @@
 
 namespace limpet::geometry {
 
-/// Cycles that were brought from one chart into another are no longer valid where rounding has carried a
-/// vertex onto an edge or over it: such vertices are moved back to their side, by at most two grid steps
-/// along each axis. `before` are the same cycles, vertex by vertex, where they were valid; the charts face
-/// the same way. Nothing else changes. False when edges are still in conflict after a few rounds.
-///  (1) When true, no edges are in conflict; when false, the cycles are as they were, and they are
-///      as well when no edges were in conflict;
-///  (2) no vertex moves farther than that, in however many conflicts it is.
+/// Repairs cycles that were transferred from one chart into another, where rounding may have carried a vertex
+/// onto an edge or across it. Such a vertex is moved back to the side of the edge that it was on, by at most
+/// two grid steps along each axis; nothing else changes. `before` are the same cycles, vertex by vertex, in
+/// the chart in which they were valid; the two charts face the same way. False when edges are still in
+/// conflict after a few rounds.
+///  (1) When true, no edges are in conflict. When false, or when none were in conflict, the cycles are as
+///      they were;
+///  (2) no vertex moves farther than two steps along an axis, however many conflicts it takes part in.
 bool restore_sides(std::vector<std::vector<NewVertex>>& cycles,
                    const std::vector<std::vector<NewVertex>>& before);
 
-/// Mends cycles that rounding broke (outer first): vertices closer than two grid steps to the one before go,
-/// then, as long as edges conflict, the end of theirs whose removal changes the least area. Thin spikes
-/// and necks vanish by that. Edges that change lose their identities. False when the outer cycle does not
-/// survive, or the mending changes more than `area` (grid steps squared) in all; holes may vanish. The result
-/// still has to be judged.
+/// Repairs cycles (outer first) that rounding has broken. First, vertices closer than two grid steps to the
+/// one before are removed. Then, as long as edges are in conflict, of the ends of two such edges the one
+/// whose removal changes the least area is removed; thin spikes and necks vanish in this way. Edges that
+/// change lose their identities, and holes may vanish. False when the outer cycle does not survive, or when
+/// removals would change more than `area` (grid steps squared) in all. The result still has to be judged.
 ///  (1) When true, no edges are in conflict;
-///  (2) cycles without conflicts or vertices so close stay as they are. But mending twice may
-///      change more than mending once: a removal can leave two vertices close;
+///  (2) cycles without conflicts and without such close vertices stay as they are. Mending twice may still
+///      change more than mending once: a removal can leave two vertices close together;
 ///  (3) motions (predicates.hpp) keep the outcome, vertex for vertex;
-///  (4) when true, the area has changed by at most `area`, and by what went with vertices so
-///      close; the cycles are then the same for any larger `area`.
+///  (4) when true, the area has changed by at most `area`, not counting what was removed with close vertices;
+///      for any larger `area` the result is then the same.
 bool mend_cycles(std::vector<std::vector<NewVertex>>& cycles, double area);
 
 }  // namespace limpet::geometry

@@ -21,7 +21,7 @@ bool perimeters_meet(const Polygon& a, const Polygon& b) {
 }
 
 bool any_vertex_inside(const Polygon& vertices_of, const Polygon& polygon) {
-  for (const auto& c : vertices_of.cycles())  // disjoint perimeters: one vertex speaks for its cycle
+  for (const auto& c : vertices_of.cycles())  // perimeters are disjoint: one vertex of each cycle is enough
     if (c.size > 0 && polygon.locate(vertices_of.at(c.first)) == Polygon::Side::inside) return true;
   return false;
 }
@@ -49,7 +49,8 @@ bool ends_needle(const Polygon& a, Slot s) {
   return dot(before, after) > 0 && width * width < kNeedleWidth * kNeedleWidth * longer2;
 }
 
-/// Vertices of a that end needles b comes near: rounding closes these wherever b's perimeter crosses them.
+/// Tips of needles of a that b comes near to. Where b's perimeter crosses a needle, rounding can make the
+/// union meet itself.
 std::vector<std::pair<Slot, EdgeId>> needles(const Polygon& a, const Polygon& b) {
   std::vector<std::pair<Slot, EdgeId>> found;
   a.any_edge_near(b.box().grown(kNeedleWidth), [&](Slot s) {
@@ -66,7 +67,7 @@ std::vector<std::pair<Slot, EdgeId>> needles(const Polygon& a, const Polygon& b)
 bool take_away(Polygon& a, const std::vector<std::pair<Slot, EdgeId>>& tips, EdgeIds& ids) {
   bool any = false;
   for (const auto& [s, edge] : tips) {
-    // Asked again: where the one before it went, a needle is none any more.
+    // Checked again, because removing the previous needle may have changed this one.
     if (!a.alive(s) || a.node(s).edge != edge || !ends_needle(a, s)) continue;
     Edit edit;
     edit.chains.push_back({a.prev(s), {}, a.next(s)});

@@ -7,14 +7,15 @@
 
 namespace limpet::geometry::internal {
 
-/// A boundary edge given to the arrangement.
+/// A boundary edge of one of the polygons, as put into the arrangement.
 struct SourceEdge {
   Point2 a, b;
   Slot slot = kNoSlot;  ///< in its polygon
   Slot next = kNoSlot;  ///< the vertex at its end
 };
 
-/// A piece of the union's boundary: from `at` (rounded) along one source edge.
+/// A piece of the union's boundary: it begins at `at` (rounded) and runs along one edge of either polygon, or
+/// along one of each where they coincide.
 struct OutlinePiece {
   Point2 at;
   Slot vertex = kNoSlot;  ///< the vertex of polygon a that starts here, if it is one (not rounded then)
@@ -22,17 +23,17 @@ struct OutlinePiece {
   Slot edge_b = kNoSlot;  ///< runs along this edge of b
 };
 
-/// A closed outline, or (open) one that begins and ends at vertices of a whose further edges lie outside the
-/// window.
+/// A closed chain of pieces; or an open one, which begins and ends at vertices of a where the boundary goes
+/// on outside the window.
 struct Outline {
   std::vector<OutlinePiece> pieces;
   Slot end = kNoSlot;  ///< open outlines: the vertex of a after the last piece
 };
 
-/// The outlines of a ∪ b within the window around b, interior on the left. `edges_a` are all edges of a that
-/// meet the window; `corner_sides` tells where its corners lie (+1 inside a, -1 outside, 0 on the boundary).
-/// Collinear pieces of one source edge are joined again. Exact in the exact build. False when no corner has a
-/// side.
+/// The outlines of a ∪ b within a window around b, interior on the left. `edges_a` are all edges of a that
+/// meet the window; `corner_sides` tells where the window's corners lie (+1 inside a, -1 outside, 0 on the
+/// boundary). Consecutive pieces of one source edge are joined. Exact in the exact build. False when every
+/// corner is on the boundary of a, so that it is not known which faces of the arrangement are inside.
 bool union_outlines(const std::vector<SourceEdge>& edges_a, const std::vector<SourceEdge>& edges_b,
                     const Box2& window, const std::vector<int>& corner_sides, std::vector<Outline>& outlines);
 

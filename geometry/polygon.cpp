@@ -74,8 +74,9 @@ Polygon::Side Polygon::locate(Point2 p) const {
     }
     return inside ? Side::inside : Side::outside;
   }
-  // From p straight to the reference point of its cell: each edge crossed on the way changes the side. The
-  // reference counts as a little further in +x, as in flip(): beyond 2^26 steps it may lie on an edge.
+  // Along the line from p to the reference point of its cell, each edge that is crossed changes the side. The
+  // reference point is taken to lie infinitesimally further in +x, as in EdgeIndex::flip(), since beyond 2^26
+  // steps it may lie on an edge.
   const EdgeIndex::Cell cell = index_.cell_at(p);
   if (cell.edges.empty()) return cell.inside ? Side::inside : Side::outside;
   const Point2 r = index_.reference_at(p);
@@ -91,7 +92,7 @@ Polygon::Side Polygon::locate(Point2 p) const {
     const int side_p = orientation(a, b, p);
     if (side_p == 0) {
       if (box_of(a, b).contains(p)) return Side::boundary;
-      continue;  // p and the reference are then not on opposite sides
+      continue;  // p is on the edge's line beyond its ends, so the way does not cross it
     }
     int side_r = orientation(a, b, r);
     if (side_r == 0) side_r = a.y < b.y ? -1 : 1;
@@ -110,7 +111,7 @@ Slot Polygon::add_node(const NewVertex& v, CycleId cycle, EdgeIds& ids) {
     free_.pop_back();
   }
   const bool fresh = !v.edge;
-  nodes_[i] = Node{v.at, kNoSlot, kNoSlot, cycle, fresh ? ids.take() : v.edge, v.shared, 0};
+  nodes_[i] = Node{v.at, kNoSlot, kNoSlot, cycle, fresh ? ids.take() : v.edge, v.shared};
   ++edge_count_;
   box_.add(v.at);
   created_.emplace_back(Slot{i}, nodes_[i].edge);

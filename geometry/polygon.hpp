@@ -11,25 +11,26 @@
 
 namespace limpet::geometry {
 
-/// A vertex to be, with what is known of the edge that leaves it.
+/// A vertex of a boundary that is yet to be made, and the edge that leaves it.
 struct NewVertex {
   Point2 at;
-  EdgeId edge{};        ///< identity that survives; none: a new edge
+  EdgeId edge{};        ///< the identity the edge keeps; none: it gets a new one
   bool shared = false;  ///< the edge is a shared edge
 };
 
-/// A stretch of new boundary: the edges from -> via[0] -> ... -> to replace what followed `from`.
+/// A chain of new edges, from -> via[0] -> ... -> to, between two vertices that stay.
 struct Chain {
   Slot from = kNoSlot;
   std::vector<NewVertex> via;
   Slot to = kNoSlot;
-  EdgeId edge{};        ///< of the edge that then leaves `from`: identity that survives; none: a new edge
+  EdgeId edge{};        ///< the identity that the new edge from `from` keeps; none: it gets a new one
   bool shared = false;  ///< that edge is a shared edge
 };
 
-/// A candidate change of a polygon's boundary. What lies anticlockwise behind each chain's `from`, up to the
-/// first `to` of any chain, is removed; whole cycles may be removed and new ones (loops) added. Judged by
-/// judge(), then committed whole or dropped.
+/// A candidate change of a polygon's boundary. Behind each chain's `from` the old boundary is removed, in its
+/// direction, as far as the first vertex that is the `to` of any chain; where that is another chain's, cycles
+/// are joined or split. Whole cycles may be removed, and new ones (loops) added. judge() judges it; it is
+/// then committed whole or dropped.
 struct Edit {
   std::vector<Chain> chains;
   std::vector<std::vector<NewVertex>> loops;
@@ -39,12 +40,12 @@ struct Edit {
 /// Why the judge refused a candidate.
 enum class Verdict {
   valid,
-  degenerate_edge,   ///< an edge without length
-  crossing,          ///< two edges meet other than consecutive ones at their common vertex
-  swept_vertex,      ///< the change would pass over a vertex that stays
-  orientation,       ///< a cycle would turn the wrong way round, or the outer one is not unique
-  too_few_vertices,  ///< a cycle with less than three vertices
-  shrinking,         ///< of what may only grow, more area would go than rounding takes
+  degenerate_edge,  ///< an edge without length
+  crossing,         ///< two edges meet other than consecutive ones at their common vertex
+  swept_vertex,     ///< a vertex that stays lies in the region that changes sides
+  orientation,  ///< a cycle turns the wrong way, there is not one outer cycle, or parts of the edit overlap
+  too_few_vertices,  ///< a cycle with fewer than three vertices
+  shrinking,         ///< from grow() only: less area would be gained than asked for
 };
 const char* to_string(Verdict);
 
@@ -53,9 +54,12 @@ struct PolygonState;
 /// A planar polygon: one outer perimeter (anticlockwise) and any number of hole perimeters (clockwise), so
 /// that the inside is always on the left of an edge.
 ///
-/// Invariant (kept by every edit that judge() accepts): all cycles are simple in the strict sense, no two
-/// edges meet but consecutive ones at their common vertex; holes lie inside the outer perimeter and outside
-/// each other.
+/// Invariant (kept by every edit that judge() accepts): the cycles are simple and disjoint, that is, no two
+/// edges meet except consecutive ones at their common vertex; holes lie inside the outer perimeter and
+/// outside each other.
+///
+/// Const member functions change nothing, not even a cache: any number of threads may call them at the same
+/// time, as long as none calls one that is not const.
 class Polygon {
  public:
   enum class Side { outside, boundary, inside };
@@ -66,7 +70,6 @@ class Polygon {
     CycleId cycle{};
     EdgeId edge{};  ///< none: the slot is free
     bool shared = false;
-    mutable std::uint32_t mark = 0;  ///< scratch of the judge
   };
   struct Cycle {
     Slot first = kNoSlot;
@@ -76,8 +79,8 @@ class Polygon {
 
   Polygon() = default;
 
-  /// Puts together what state() took apart: what is done with it from then on gives the same bits. Throws
-  /// std::invalid_argument, with the reason, when the links do not fit together or the polygon is not valid.
+  /// The polygon that had this state(): every later operation gives the same bits as on the original. Throws
+  /// std::invalid_argument, with the reason, when the state is inconsistent or the polygon is not valid.
   static Polygon from_state(PolygonState);
   PolygonState state() const;
 
@@ -96,7 +99,7 @@ class Polygon {
   const std::vector<Cycle>& cycles() const { return cycles_; }
   const Cycle& cycle(CycleId c) const { return cycles_[static_cast<std::uint32_t>(c)]; }
   const Box2& box() const { return box_; }
-  /// Area, its holes left out, in grid steps squared. Kept by every edit, in double arithmetic.
+  /// Area without the holes, in grid steps squared. Updated by every edit, in double arithmetic.
   double area() const { return twice_area_ / 2; }
 
   /// The vertices of a cycle in its direction, from its first.
@@ -105,13 +108,13 @@ class Polygon {
   std::vector<std::vector<NewVertex>> boundary() const;
 
   /// Where p lies. Exact in the exact build.
-  ///  (1) On the boundary when on an edge; else inside when the boundary winds round it;
-  ///  (2) starts of cycles, the order of holes, and the edits that led here do not matter;
-  ///  (3) motions (predicates.hpp) keep it.
+  ///  (1) On the boundary when p is on an edge; otherwise inside when the boundary winds around p;
+  ///  (2) where cycles start, the order of the holes, and the edits that led here do not matter;
+  ///  (3) invariant under motions (predicates.hpp).
   Side locate(Point2 p) const;
 
-  /// Calls f(Slot) for every edge that touches `box` and maybe others near it; an edge may come more than
-  /// once. f returns true to stop.
+  /// Calls f(Slot) for the edges whose bounding boxes meet `box`, in no particular order and perhaps more
+  /// than once for an edge, until f returns true. Returns whether it did.
   template <class F>
   bool any_edge_near(const Box2& box, F&& f) const {
     return index_.any_near(box, nodes_.size(), [&](std::uint32_t i) {
@@ -120,37 +123,37 @@ class Polygon {
     });
   }
 
-  /// Does the candidate keep the invariant? Decided on the rounded coordinates as they stand. Changes
-  /// nothing.
+  /// Does the candidate keep the invariant? Decided on the rounded coordinates as they stand.
   Verdict judge(const Edit&) const;
 
   /// Makes the change. Precondition: judge(edit) == valid.
   void commit(const Edit&, EdgeIds&);
 
   /// Judges the change, and makes it if it is valid.
-  ///  (1) It is valid exactly when the boundary it leads to keeps the invariant;
-  ///  (2) when it is not, nothing has changed; else the boundary is what the edit says, vertex for vertex;
-  ///  (3) area() follows, but for rounding.
+  ///  (1) It is valid exactly when the resulting boundary keeps the invariant;
+  ///  (2) if it is not, nothing has changed; otherwise the boundary is what the edit says, vertex for vertex;
+  ///  (3) area() changes by the area of the edit, up to rounding.
   Verdict change(const Edit&, EdgeIds&);
 
-  /// The same for what may only grow: refused, too, when less area than `least` would come, but for what
-  /// rounding takes: two steps along the new edges. A rounded point may lie beyond a part of the polygon that
-  /// is thinner than a step, from where all looks different.
+  /// change() for operations that only add area: also refused when the area would grow by less than `least`
+  /// (grid steps squared) and rounding does not explain it, which it does up to two steps along all new
+  /// edges. A new point that is rounded across a part of the polygon thinner than a step can make a candidate
+  /// that is valid but gives up most of the polygon.
   Verdict grow(const Edit&, EdgeIds&, double least = 0);
 
   /// Marks the edge that leaves `s` as shared or not. Its identity stays.
   void set_shared(Slot s, bool shared) { nodes_[static_cast<std::uint32_t>(s)].shared = shared; }
 
-  /// Identities of edges removed, and slots of edges put in place (new ones, and those whose identity came
-  /// along), since last taken.
+  /// Identities of the edges removed, and slots and identities of the edges inserted (with a new identity or
+  /// a given one), since this was last asked.
   std::vector<EdgeId> take_removed();
   std::vector<std::pair<Slot, EdgeId>> take_created();
   /// What take_created() would give.
   const std::vector<std::pair<Slot, EdgeId>>& created() const { return created_; }
 
-  /// Counts boundary changes.
+  /// How often the boundary has changed.
   std::uint64_t version() const { return version_; }
-  /// Counts those of them that may have made one cycle of two.
+  /// How often a change may have joined two cycles into one.
   std::uint64_t joins() const { return joins_; }
 
  private:
@@ -160,15 +163,14 @@ class Polygon {
   CycleId add_cycle();
   void rebuild_index();
   void fill_index();
-  /// How many edges the index is for. Where many slots are free, looking at all of them would cost more.
+  /// The number of edges to build the index for. A polygon of few edges but many free slots has an index too,
+  /// because a search without one visits every slot.
   std::size_t index_size() const {
     return nodes_.size() <= 2 * EdgeIndex::kMinimum ? edge_count_
                                                     : std::max(edge_count_, EdgeIndex::kMinimum);
   }
-  /// What an edit takes away and puts in place, worked out once for the judge and once for the commit.
-  struct Difference;
+  struct Difference;  ///< what an edit removes and inserts: worked out once, judged, and committed
   struct Run;
-  Difference& difference(const Edit&) const;
   Verdict judge(const Edit&, Difference&) const;
   void commit(const Edit&, Difference&, EdgeIds&);
   std::vector<Run> runs_of(const Edit&) const;
@@ -178,35 +180,35 @@ class Polygon {
   Verdict judge_growth(const Difference&, double least) const;
   std::size_t untouched_outer(const Edit&) const;
   int orientation_of(const Edit&, const Difference&, std::size_t first_chain) const;
-  void label_cycles(const Edit&, const Difference&, std::vector<CycleId> freed, std::span<const Slot> loops);
-  /// Does this cycle of the candidate lie inside an odd number of its other cycles?
+  void label_cycles(const Edit&, const Difference&, std::span<const Slot> loop_starts);
+  /// Does this cycle of the candidate lie inside an odd number of the candidate's other cycles?
   bool inside_others(const std::vector<Point2>& cycle, const Difference&) const;
 
   std::vector<Node> nodes_;
   std::vector<Cycle> cycles_;
   std::vector<std::uint32_t> free_;
   std::size_t edge_count_ = 0;
-  Point2 origin_;  ///< the first vertex there was; what areas are summed about
+  Point2 origin_;  ///< the first vertex there ever was: the point of reference for sums of areas
   double twice_area_ = 0;
   Box2 box_;
   EdgeIndex index_;
   std::vector<EdgeId> removed_;
   std::vector<std::pair<Slot, EdgeId>> created_;
   std::uint64_t version_ = 0, joins_ = 0;
-  mutable std::uint32_t stamp_ = 0;
 };
 
-/// All of a polygon, as plain data: free places and their order too, so that new vertices go where they would
-/// have gone. The index of edges is not in it, but what it was built for: that decides when it is built anew.
+/// A polygon as plain data, complete enough that a restored one goes on in the same way. Free slots are
+/// included in their order, so that new vertices get the same slots. The edge index is not, but the box and
+/// the number of edges it was built for are, because they decide when it is rebuilt.
 struct PolygonState {
   std::vector<Polygon::Node> nodes;
   std::vector<Polygon::Cycle> cycles;
-  std::vector<std::uint32_t> free;  ///< places among the nodes, the next one to be taken last
+  std::vector<std::uint32_t> free;  ///< free slots; the last one is the next to be used
   Point2 origin;
   double twice_area = 0;
   Box2 box;
-  Box2 index_box;                 ///< of the index's cells; of no meaning where it is not active
-  std::uint64_t index_edges = 0;  ///< 0: not active
+  Box2 index_box;                 ///< of the index's cells; meaningless when the index is not active
+  std::uint64_t index_edges = 0;  ///< 0: the index is not active
   std::vector<EdgeId> removed;
   std::vector<std::pair<Slot, EdgeId>> created;
   std::uint64_t version = 0, joins = 0;

@@ -1,6 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// A polygon taken apart into plain data, and put together again. The data may have been damaged on the way.
+// A polygon as plain data, and restored from it. The data may come from a damaged file, so all is checked.
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -23,7 +23,7 @@ bool is_sound(Point2 p) { return is_sound(p.x) && is_sound(p.y); }
 
 std::uint32_t number(Slot s) { return static_cast<std::uint32_t>(s); }
 
-/// Numbers that are places among others.
+/// Indices are within the arrays they refer to, and coordinates are finite and on the grid.
 void require_places(const PolygonState& p) {
   const auto is_place = [&](Slot s) { return s == kNoSlot || number(s) < p.nodes.size(); };
   require(p.nodes.size() < number(kNoSlot), "has too many vertices");
@@ -36,7 +36,7 @@ void require_places(const PolygonState& p) {
   for (const auto& [slot, edge] : p.created) require(is_place(slot), "has a new edge nowhere");
 }
 
-/// The free places are those without an edge, each named once.
+/// The free slots are exactly those without an edge, each listed once.
 void require_free_places(const PolygonState& p) {
   std::vector<char> free(p.nodes.size());
   for (const std::uint32_t i : p.free) {
@@ -47,7 +47,7 @@ void require_free_places(const PolygonState& p) {
     require(bool(p.nodes[i].edge) != bool(free[i]), "has a place that is neither free nor taken");
 }
 
-/// Each cycle comes back to its first vertex after as many as it says, and each vertex is on one.
+/// Each cycle returns to its first vertex after as many vertices as it says, and each vertex is on a cycle.
 void require_links(const PolygonState& p) {
   std::size_t walked = 0, outer = 0;
   for (std::uint32_t id = 0; id < p.cycles.size(); ++id) {
@@ -87,7 +87,6 @@ void require_measures(const PolygonState& p) {
 PolygonState Polygon::state() const {
   PolygonState p{nodes_, cycles_, free_,    origin_,  twice_area_, box_,
                  {},     0,       removed_, created_, version_,    joins_};
-  for (Node& n : p.nodes) n.mark = 0;
   if (index_.active()) p.index_box = index_.cells_box(), p.index_edges = index_.built_for();
   return p;
 }
@@ -109,7 +108,6 @@ Polygon Polygon::from_state(PolygonState p) {
   polygon.created_ = std::move(p.created);
   polygon.version_ = p.version;
   polygon.joins_ = p.joins;
-  for (Node& n : polygon.nodes_) n.mark = 0;
   if (const Verdict v = judge_polygon(polygon); v != Verdict::valid)
     require(false, (std::string("is not valid: ") + to_string(v)).c_str());
   if (p.index_edges > 0) polygon.index_.reset_cells(p.index_box, p.index_edges);

@@ -25,8 +25,9 @@ Point2 round_to_grid(Point2 p) {
 #if defined(LIMPET_ARITHMETIC_FLOAT)
   return p;
 #else
-  // Not rounded_down(x + 0.5): that sum is itself rounded, up to 1 just below a half and away from odd
-  // numbers above 2^52. What is compared here is exact wherever it decides.
+  // Not rounded_down(x + 0.5): that sum is itself rounded, to 1 for the double just below 1/2, and to an even
+  // number for odd ones above 2^52. The difference x - whole is exact wherever it is below 1/2; above, its
+  // rounding does not matter.
   const auto nearest = [](double x) {
     const double whole = rounded_down(x);
     return whole + (x - whole >= 0.5);
@@ -36,7 +37,7 @@ Point2 round_to_grid(Point2 p) {
 }
 
 #if defined(LIMPET_COUNT_STAGES)
-/// Told at the program's end, like the counts of CGAL's own filters.
+/// Printed when the program ends, like the counts of CGAL's own filters.
 void internal::count_orientation(bool uncertain) {
   CGAL_BRANCH_PROFILER(" failures/calls to   : limpet::geometry::internal::orientation_filter", counter);
   if (uncertain) CGAL_BRANCH_PROFILER_BRANCH(counter);

@@ -5,10 +5,9 @@
 
 /// The stages of orientation(), opened to tests. They come in this order, and each must agree with those
 /// after it wherever it answers:
-///   orientation_filter      doubles and a bound of their error; inline in predicates.hpp
-///   orientation_unfiltered  CGAL's filtered kernel: intervals, then exact numbers (predicates.cpp)
-///   orientation_exact       exact numbers alone; decides nothing, it is there to be compared with
-/// orientation() is the one place that goes from a stage to the next.
+///   orientation_filter      doubles with an error bound; inline in predicates.hpp
+///   orientation_unfiltered  CGAL's filtered kernel: interval arithmetic, then exact numbers (predicates.cpp)
+///   orientation_exact       exact numbers only; not used by orientation(), a reference for tests
 namespace limpet::geometry::internal {
 
 /// In the float builds the same as orientation_unfiltered().

@@ -20,18 +20,18 @@ inline double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
 inline double squared_length(Point2 a) { return dot(a, a); }
 
-/// The largest whole number not above x (x itself when it is infinite). Unlike std::floor no call, where the
-/// processor's own is not at hand.
+/// The largest whole number not above x; x itself when it is infinite or NaN. Inline, because std::floor is a
+/// library call unless the compiler may use SSE4.1.
 inline double rounded_down(double x) {
-  if (!(x > -0x1p52 && x < 0x1p52)) return x;  // whole already, or no number
+  if (!(x > -0x1p52 && x < 0x1p52)) return x;  // whole already, or NaN
   const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
   return whole - (whole > x);
 }
 
-/// Axis-parallel box of chart points; empty until something is added.
+/// Axis-aligned bounding box of chart points; empty until something is added.
 ///  (1) box_of(a, b) = box_of(b, a), and it contains a and b;
-///  (2) meets() is symmetric, and true when the one contains a point of the other;
-///  (3) squared_distance() is 0 for a point it contains; an empty box meets and contains nothing.
+///  (2) meets() is symmetric, and true when one box contains a point of the other;
+///  (3) squared_distance() is 0 for a point the box contains; an empty box meets and contains nothing.
 struct Box2 {
   Point2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Point2 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -57,7 +57,8 @@ inline Box2 box_of(Point2 a, Point2 b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
-/// Identity of an edge. It outlives every operation that leaves the edge as it is, and is never used again.
+/// Identity of an edge. The edge keeps it through every operation that leaves the edge as it is; no other
+/// edge ever gets it.
 struct EdgeId {
   std::uint64_t value = 0;  ///< 0: no edge
   explicit operator bool() const { return value != 0; }
@@ -75,12 +76,12 @@ class EdgeIds {
   std::uint64_t next_;
 };
 
-/// Where a vertex is stored in its polygon; also names the edge that leaves it. Valid until the vertex is
-/// removed.
+/// Index of a vertex in its polygon's storage; it also names the edge that leaves the vertex. Valid until the
+/// vertex is removed.
 enum class Slot : std::uint32_t {};
 inline constexpr Slot kNoSlot{0xffffffffu};
 
-/// Names a boundary cycle of a polygon. Valid until the polygon is edited.
+/// Index of a boundary cycle of a polygon. Valid until the polygon is edited.
 enum class CycleId : std::uint32_t {};
 
 }  // namespace limpet::geometry

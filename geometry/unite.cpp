@@ -18,14 +18,16 @@ using internal::Outline;
 using internal::OutlinePiece;
 using internal::SourceEdge;
 
-/// Moves of b's vertices, in grid steps, tried in this order: 32 steps are λ/128 to λ/64.
+/// By how many grid steps b's vertices are moved outwards, one value for each attempt. 32 steps are λ/128 to
+/// λ/64.
 constexpr std::array kMoves = {0, 2, 6, 16, 32};
 
 int reach_of(std::size_t attempt, double gap) {
   return std::min(kMoves[attempt], std::max(2, static_cast<int>(gap / 64)));
 }
 
-/// A whole number from -reach to reach that depends on the vertex and the attempt alone.
+/// A pseudo-random whole number from -reach to reach that depends only on the vertex, the attempt and the
+/// axis.
 double move(std::uint64_t vertex, std::uint64_t attempt, int axis, int reach) {
   std::uint64_t x =
       vertex * 0x9e3779b97f4a7c15u + attempt * 0xbf58476d1ce4e5b9u + static_cast<std::uint64_t>(axis);
@@ -33,8 +35,8 @@ double move(std::uint64_t vertex, std::uint64_t attempt, int axis, int reach) {
   return static_cast<double>(static_cast<int>(x % static_cast<std::uint64_t>(2 * reach + 1)) - reach);
 }
 
-/// Outwards, so that b overlaps what it only touched, and a little to any side, so that it does not touch
-/// elsewhere.
+/// The vertex moved outwards, so that b overlaps what it only touched, and a little in a pseudo-random
+/// direction, so that it does not come to touch something else.
 Point2 moved_vertex(const Polygon& b, Slot s, std::size_t attempt, int reach) {
   const Point2 in = b.at(s) - b.at(b.prev(s)), out = b.end(s) - b.at(s);
   const Point2 along = (1 / std::sqrt(squared_length(in))) * in + (1 / std::sqrt(squared_length(out))) * out;
@@ -51,7 +53,7 @@ int orientation_of(const std::vector<NewVertex>& cycle) {
   return chain_orientation(points);
 }
 
-/// b's edges, moved; none when b would not be a valid polygon any more.
+/// b's edges, with its vertices moved; none when that would make b invalid.
 std::vector<SourceEdge> edges_of(const Polygon& b, std::size_t attempt, double gap) {
   const int reach = reach_of(attempt, gap);
   std::vector<std::vector<NewVertex>> cycles;
@@ -73,9 +75,9 @@ std::vector<SourceEdge> edges_of(const Polygon& b, std::size_t attempt, double g
 
 bool near(Point2 p, Point2 q) { return squared_length(p - q) < 4; }
 
-/// Where the union is a point wide, or less than a step, two passes of its outlines have one rounded vertex:
-/// b touches a, or crosses a part of a that is thinner than a step. There the union is made a few steps wide:
-/// each of the two moves along its edge of b, away from the other.
+/// Makes the union a few steps wide where it is thinner than a step: where b touches a, or crosses a part of
+/// a that is so thin, vertices of its outlines that do not follow each other round to nearly the same point.
+/// Each of them is moved along its edge of b, away from the others.
 class Widening {
  public:
   explicit Widening(std::vector<Outline>& outlines) : outlines_(outlines) {
@@ -113,7 +115,7 @@ class Widening {
     return pieces[static_cast<std::size_t>((static_cast<std::ptrdiff_t>(p.piece) + ahead + n) % n)];
   }
 
-  /// Neighbours along an outline may be near each other.
+  /// Are they near each other without being consecutive on an outline?
   bool meet(const Place& p, const Place& q) const {
     if (!near(p.at, q.at)) return false;
     return &piece(p, 1) != &piece(q, 0) && &piece(q, 1) != &piece(p, 0);
@@ -136,8 +138,8 @@ class Widening {
   std::vector<Place> places_;
 };
 
-/// Candidate boundary from an outline: kept edges of a stay; what lies between them becomes chains, an
-/// outline without any a loop.
+/// Turns the outlines of the union into an edit of a: edges of a that survive whole stay, what lies between
+/// them on an outline becomes a chain, and an outline without any such edge becomes a loop.
 class Candidate {
  public:
   Candidate(const Polygon& a, const Polygon& b, double gap, bool moved)
@@ -178,8 +180,8 @@ class Candidate {
     }
   }
 
-  /// The edit, cleaned of vertices closer than two steps; nothing when an outline could not be tied to a's
-  /// vertices.
+  /// The edit, without vertices closer than two steps to the one before; nothing when a chain of it would not
+  /// begin and end at vertices of a.
   std::optional<Edit> finish(const std::vector<SourceEdge>& window_edges) {
     if (broken_) return std::nullopt;
     std::sort(kept_edges_.begin(), kept_edges_.end());
@@ -207,7 +209,7 @@ class Candidate {
     return v;
   }
 
-  /// Is the outline that of a hole narrower than the resolution? Such a hole is none.
+  /// Is the outline a hole that collapses, because it is narrower than the resolution?
   bool vanishes(const std::vector<OutlinePiece>& pieces) const {
     std::vector<NewVertex> loop;
     for (const OutlinePiece& p : pieces) loop.push_back({p.at});
@@ -239,8 +241,8 @@ class Candidate {
     loop.insert(loop.end(), rest.begin(), rest.end());
   }
 
-  /// Drops vertices closer than two steps to the one before, and last ones as close to `to`; the edge before
-  /// one that goes is not what it was.
+  /// Drops vertices closer than two steps to the one before, and at the end those as close to `to`. The edge
+  /// before a dropped vertex is a new edge, so it loses its identity.
   static void drop_near(NewVertex& start, std::vector<NewVertex>& via, Point2 to) {
     std::vector<NewVertex> result;
     const auto last = [&]() -> NewVertex& { return result.empty() ? start : result.back(); };
@@ -285,7 +287,7 @@ bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds& ids, std::size_t* 
     if (edges_b.empty()) continue;
     Box2 box;
     for (const SourceEdge& e : edges_b) box.add(e.a);
-    // Half steps off the grid: no vertex lies on the window's border.
+    // The border lies half a step off the grid, so that no vertex is on it.
     const Box2 window{{std::floor(box.low.x) - 1.5, std::floor(box.low.y) - 1.5},
                       {std::ceil(box.high.x) + 1.5, std::ceil(box.high.y) + 1.5}};
     const auto edges_a = window_edges_of(a, window);

@@ -75,8 +75,7 @@ bool audit_accepts(const Cycles& cycles) {
   }
   if (rings.empty() || audit::find_clash(rings)) return false;
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    const auto area = audit::twice_area(rings[i]);
-    if (area.sign() != (i == 0 ? 1 : -1)) return false;
+    if (audit::area_sign(rings[i]) != (i == 0 ? 1 : -1)) return false;
     for (std::size_t j = 0; j < rings.size(); ++j)
       if (i > 0 && i != j && (audit::side_of(rings[i][0], rings[j]) == audit::Side::kInside) != (j == 0))
         return false;

@@ -10,8 +10,9 @@
 
 namespace limpet::audit {
 
-/// An exact number mantissa · 2^exponent. Doubles are such numbers, and sums, differences and products of
-/// them stay such numbers, so every law can be decided without a division and without a rational's gcd.
+/// A dyadic rational, mantissa · 2^exponent with a mantissa of any length. Every finite double is one, and
+/// sums, differences and products of them are too, so every law can be decided exactly without a division,
+/// and without the gcd that general rationals need.
 class Dyadic {
  public:
   Dyadic() = default;
@@ -21,7 +22,7 @@ class Dyadic {
     auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
     if (mantissa == 0) return;
     const int zeros = __builtin_ctzll(static_cast<unsigned long long>(mantissa));
-    mantissa_ = mantissa >> zeros;  // exact: only zeros leave
+    mantissa_ = mantissa >> zeros;  // exact: only zero bits are shifted out
     exponent_ = exponent - 53 + zeros;
   }
   Dyadic(int value) : mantissa_(value) {}
@@ -55,7 +56,7 @@ class Dyadic {
   Dyadic(Integer mantissa, int exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
 
   static Dyadic sum(const Dyadic& a, const Dyadic& b, int sign_b) {
-    // A zero takes part in no alignment: its exponent means nothing.
+    // The exponent of zero means nothing, so zero must not take part in the alignment of exponents.
     if (b.mantissa_.is_zero()) return a;
     if (a.mantissa_.is_zero()) return {sign_b * b.mantissa_, b.exponent_};
     const int exponent = std::min(a.exponent_, b.exponent_);
@@ -84,11 +85,11 @@ inline ExactVector cross(const ExactVector& a, const ExactVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// A published plane: a chart point (x, y), in grid steps, lies in the world at q + step·(x·along_x +
-/// y·along_y).
+/// The plane a polygon segment is published on. The chart point (x, y), in grid steps, lies in the world at
+/// q + step·(x·along_x + y·along_y).
 struct ExactPlane {
   ExactVector q, along_x, along_y;
-  ExactVector normal;  ///< along_x × along_y: outwards, not of unit length
+  ExactVector normal;  ///< along_x × along_y: points outwards, not a unit vector
 
   ExactPlane(const Polygon& polygon, double step)
       : q(exact(polygon.origin) + Dyadic(step) * Dyadic(polygon.h0) * exact(polygon.n)),
