@@ -5,12 +5,13 @@
 #include <filesystem>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
-#include <limpet/app/mesh_model.hpp>
-#include <limpet/io/drawing.hpp>
+#include <limpet/drawing/drawing.hpp>
+#include <limpet/drawing/mesh_record.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/native.hpp>
 #include <limpet/io/text.hpp>
 #include <limpet/model/model.hpp>
+#include <limpet/simulation/scene.hpp>
 
 namespace limpet::app {
 namespace {
@@ -24,7 +25,7 @@ std::vector<model::OpenEdge> open_edges_of(const model::ModelRecord& record) {
   }
 }
 
-io::View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& given_up) {
+drawing::View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& given_up) {
   const auto is_along = [&](const Eigen::Vector3d& up) {
     return !(up.cross(from).norm() > 1e-6 * up.norm() * from.norm());
   };
@@ -32,14 +33,15 @@ io::View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vecto
     throw UsageError("--view 0,0,0: give a direction");
   }
   if (given_up && is_along(*given_up)) throw UsageError("--up lies along --view; give another");
-  io::View view;
+  drawing::View view;
   view.toward = -from;
   if (given_up) {
     view.up = *given_up;
   } else {
     view.up = is_along(Eigen::Vector3d::UnitZ()) ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
   }
-  view.name = "from " + short_text(from.x()) + ", " + short_text(from.y()) + ", " + short_text(from.z());
+  view.name =
+      "from " + io::short_text(from.x()) + ", " + io::short_text(from.y()) + ", " + io::short_text(from.z());
   return view;
 }
 
@@ -51,25 +53,25 @@ int run(const DrawArguments& args) {
   if (extension != "png" && extension != "svg") {
     throw UsageError("-o " + args.picture + ": a picture is written as .png or .svg");
   }
-  std::vector<io::Figure> figures;
+  std::vector<drawing::Figure> figures;
   for (const std::string& path : args.models) {
     const std::string name = std::filesystem::path(path).stem().string();
-    if (is_mesh_name(path)) {
-      figures.push_back({model_of_mesh(path), name});
+    if (simulation::is_scene_name(path)) {
+      figures.push_back({drawing::record_of(simulation::make_scene(path).mesh), name});
       continue;
     }
     model::ModelRecord record = io::load_native(path);
     auto open_edges = open_edges_of(record);
     figures.push_back({std::move(record), name, std::move(open_edges)});
   }
-  io::DrawOptions options;
+  drawing::DrawOptions options;
   options.width = args.width;
   for (const Eigen::Vector3d& from : args.views) options.views.push_back(view_from(from, args.up));
   if (args.up && args.views.empty()) {
-    options.views = io::default_views(figures);
-    for (io::View& view : options.views) view.up = view_from(-view.toward, args.up).up;
+    options.views = drawing::default_views(figures);
+    for (drawing::View& view : options.views) view.up = view_from(-view.toward, args.up).up;
   }
-  io::draw(figures, args.picture, options);
+  drawing::draw(figures, args.picture, options);
   if (!args.quiet) std::printf("written: %s\n", args.picture.c_str());
   return kDone;
 }

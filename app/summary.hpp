@@ -32,7 +32,7 @@ struct Summary {
   std::int64_t violations = 0;  ///< the oracle's count
   double seconds = 0;           ///< reading and modelling; neither the oracle nor writing
   double resolution = 0, tolerance = 0;
-  NoiseArgument noise;
+  survey::NoiseLaw noise;
   bool axes_guessed = false;  ///< the scan said none: oriented by neighbour consistency
   bool interrupted = false;
   std::string damage;  ///< of the scan, after the last point
