@@ -20,11 +20,12 @@
 
 namespace limpet::app {
 
-/// One run of `limpet model`, from the first set, or the one behind a checkpoint, to the last file.
+/// One run of `limpet model`: from the first set of points, or the one after a checkpoint, until all files
+/// are written.
 class ModelRun {
  public:
-  /// Goes on from `checkpoint` if there is one. Throws io::InputError when the scan cannot be opened, or the
-  /// checkpoint was written with other options.
+  /// The run continues from `checkpoint` if there is one. Throws io::InputError when the scan cannot be
+  /// opened, or the checkpoint was written with other options.
   ModelRun(const ModelArguments& args, std::optional<Checkpoint> checkpoint);
 
   /// Returns the exit code. Errors: those of a command.
@@ -40,7 +41,7 @@ class ModelRun {
   bool catch_up();
   void read_all(model::Model& model);
   void read_set(std::vector<Reading>& set);
-  /// Takes note of a point that the model is given.
+  /// Counts a point that the model is given, for labels, for the density warning and for checkpoints.
   void count_in(const Reading& reading);
   void give(model::Model& model, const std::vector<Reading>& set);
   void keep_checkpoint(const model::Model& model);
@@ -56,11 +57,11 @@ class ModelRun {
 
   const ModelArguments& args_;
   std::vector<CheckpointOption> options_;  ///< only where checkpoints are kept
-  std::optional<Checkpoint> from_;         ///< what is gone on from
+  std::optional<Checkpoint> from_;         ///< the checkpoint that the run continues from
   survey::PointStream scan_;
   CheckpointKeeper keeper_;
   Stages stages_;
-  // All that follows, but for times, comes from the points alone.
+  // What follows, apart from the times, depends on the points alone.
   survey::Sample sample_;
   SkippedRecords skipped_;
   model::Digest digest_;    ///< of the points given, where checkpoints are kept
@@ -71,7 +72,7 @@ class ModelRun {
   double voxel_edge_ = 0;                   ///< by which the scan was oriented; 0: it says its axes
   Clock::time_point start_;                 ///< of reading and modelling
   double before_ = 0;                       ///< seconds spent before the checkpoint
-  double apart_ = 0;                        ///< seconds since `start_` spent on the oracle and on checkpoints
+  double apart_ = 0;  ///< seconds since `start_` that do not count: spent on the oracle and on checkpoints
   double seconds_ = 0;
   bool interrupted_ = false;
 };

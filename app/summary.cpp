@@ -21,9 +21,9 @@ Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEd
   s.refused = model.refused;
   s.expired = model.expired;
   s.sets = model.sets;
-  s.resolution = model.resolution;
-  s.noise = {model.noise, model.noise_per_range, model.noise_per_range2};
-  s.tolerance = model.tolerance;
+  s.resolution = model.parameters.resolution;
+  s.noise = {model.parameters.noise, model.parameters.noise_per_range, model.parameters.noise_per_range2};
+  s.tolerance = model.parameters.tolerance;
   s.polygons = static_cast<std::int64_t>(model.polygon_segments.size());
   s.segments = s.polygons + static_cast<std::int64_t>(model.point_segments.size());
   for (const auto& segment : model.point_segments) s.loose += segment.moments.count;
@@ -38,7 +38,7 @@ Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEd
   for (const model::OpenEdge& open : open_edges) ++s.open_because[open.refusal];
   s.redundant_by_count = model.redundant_by_count;
   s.redundant_by_position = model.redundant_by_position;
-  const auto welds = io::weld(io::lift(model), model.resolution);
+  const auto welds = io::weld(io::lift(model), model.parameters.resolution);
   s.corner_vertices = welds.corners;
   s.corner_distance = welds.corner_distance;
   return s;

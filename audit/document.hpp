@@ -58,8 +58,10 @@ struct Polygon : Segment {
 /// A native model file, as written: nothing in it has been checked but its syntax.
 struct Document {
   double resolution = 0, angle = 0, noise = 0, tolerance = 0, step = 0;
-  double growth = 0, growth2 = 0;  ///< of the noise with the range and its square
-  std::uint64_t neighbours = 1;    ///< 0: none are formed
+  double growth = 0, growth2 = 0;      ///< of the noise with the range and its square
+  double quantum = 0;                  ///< to which the scan's coordinates are rounded
+  std::uint64_t patience = 1'000'000;  ///< sensor points after which outliers are given up
+  std::uint64_t neighbours = 1;        ///< 0: none are formed
   double redundancy_count = 20, redundancy_ratio = 0.05;
   Arithmetic arithmetic = Arithmetic::kExact;
   std::string rules;

@@ -6,9 +6,9 @@
 
 namespace limpet::drawing {
 
-/// The order in which to paint faces over each other, farthest first. Right wherever the plane of one of two
-/// faces separates them and no circle of overlaps exists, which is nearly always; by mean distance elsewhere,
-/// and for more than 3000 faces.
+/// The order in which to paint faces over each other, farthest first. The order is right wherever the
+/// plane of one of two faces separates them and no cycle of overlaps exists, which is nearly always.
+/// Elsewhere, and for more than 3000 faces, it is by mean distance.
 std::vector<int> depth_order(const std::vector<Patch>& patches);
 
 }  // namespace limpet::drawing

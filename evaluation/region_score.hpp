@@ -38,7 +38,7 @@ enum class RegionFate {
   unmatched,        ///< a true region that is missed; a found region that is noise
 };
 
-/// `points` of `all`, 0 of none.
+/// The fraction `points` / `all`; 0 where there are none.
 inline double share(std::int64_t points, std::int64_t all) {
   return all > 0 ? static_cast<double>(points) / static_cast<double>(all) : 0;
 }

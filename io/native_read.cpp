@@ -7,6 +7,7 @@
 #include <limpet/io/error.hpp>
 #include <limpet/io/native.hpp>
 #include <limpet/io/text.hpp>
+#include <stdexcept>
 #include <utility>
 
 namespace limpet::io {
@@ -197,7 +198,7 @@ model::PolygonSegmentRecord read_polygon(Fields& in) {
   return segment;
 }
 
-void read_head(Fields& in, model::ModelRecord& model) {
+void read_version(Fields& in) {
   in.line("limpet");
   if (const std::string version = in.word(); version == "checkpoint") {
     in.fail("this is the checkpoint of a run, not a model; 'limpet model' goes on from it with --resume");
@@ -205,37 +206,76 @@ void read_head(Fields& in, model::ModelRecord& model) {
     in.fail("version " + in_quotes(version) + " of the format is not known (this program reads version 1)");
   }
   in.done();
-  model.resolution = single(in, "resolution");
-  model.angle_rad = single(in, "angle");
-  model.noise = single(in, "noise");
-  model.tolerance = single(in, "tolerance");
+}
+
+/// The parameters but for the rules, which come later; those that a file need not say keep their usual
+/// values.
+void read_parameters(Fields& in, model::Parameters& p) {
+  p.resolution = single(in, "resolution");
+  p.angle_rad = single(in, "angle");
+  p.noise = single(in, "noise");
+  p.tolerance = single(in, "tolerance");
   if (in.optional_line("growth")) {
-    model.noise_per_range = in.real();
-    model.noise_per_range2 = in.real();
+    p.noise_per_range = in.real();
+    p.noise_per_range2 = in.real();
+    in.done();
+  }
+  if (in.optional_line("quantum")) {
+    p.input_quantum = in.real();
+    in.done();
+  }
+  if (in.optional_line("patience")) {
+    p.outlier_patience = in.count();
     in.done();
   }
   if (in.optional_line("neighbours")) {
     const std::int64_t formed = in.count();
     if (formed > 1) in.fail("neighbours are formed (1) or not (0)");
-    model.neighbours = formed == 1;
-    model.redundancy_count = in.real();
-    model.redundancy_ratio = in.real();
+    p.neighbours = formed == 1;
+    p.redundancy_count = in.real();
+    p.redundancy_ratio = in.real();
     in.done();
   }
-  model.grid_step = single(in, "grid");
+}
+
+double read_grid(Fields& in) {
+  const double step = single(in, "grid");
   int exponent = 0;
-  if (!(model.grid_step > 0) || std::frexp(model.grid_step, &exponent) != 0.5) {
-    in.fail("the grid step is not a power of two");
-  }
+  if (!(step > 0) || std::frexp(step, &exponent) != 0.5) in.fail("the grid step is not a power of two");
+  return step;
+}
+
+std::string read_arithmetic(Fields& in) {
   in.line("arithmetic");
-  model.arithmetic = in.word();
+  const std::string arithmetic = in.word();
   in.done();
-  if (model.arithmetic != "exact" && model.arithmetic != "float-grid" && model.arithmetic != "float") {
-    in.fail("the arithmetic " + in_quotes(model.arithmetic) + " is not one of exact, float-grid, float");
+  if (arithmetic != "exact" && arithmetic != "float-grid" && arithmetic != "float") {
+    in.fail("the arithmetic " + in_quotes(arithmetic) + " is not one of exact, float-grid, float");
   }
+  return arithmetic;
+}
+
+/// Names in the order in which they are written: other texts for the same rules would not be given back as
+/// they are.
+model::Rules read_rules(Fields& in) {
   in.line("rules");
-  model.rules = in.word();
+  const std::string names = in.word();
   in.done();
+  try {
+    const model::Rules rules = model::Rules::parse(names);
+    if (rules.to_string() == names) return rules;
+  } catch (const std::invalid_argument&) {
+    in.fail("the rules " + in_quotes(names) + " are not all known to this program");
+  }
+  in.fail("the rules " + in_quotes(names) + " are not in the order in which a model file names them");
+}
+
+void read_head(Fields& in, model::ModelRecord& model) {
+  read_version(in);
+  read_parameters(in, model.parameters);
+  model.grid_step = read_grid(in);
+  model.arithmetic = read_arithmetic(in);
+  model.parameters.rules = read_rules(in);
   in.line("counts");
   model.points = in.count();
   model.refused = in.count();

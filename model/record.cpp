@@ -125,22 +125,13 @@ void polygon_from(Engine& e, const PolygonSegmentRecord& r) {
 
 ModelRecord to_record(const Engine& e) {
   ModelRecord r;
-  r.resolution = e.parameters.resolution;
-  r.angle_rad = e.parameters.angle_rad;
-  r.noise = e.parameters.noise;
-  r.noise_per_range = e.parameters.noise_per_range;
-  r.noise_per_range2 = e.parameters.noise_per_range2;
-  r.tolerance = e.parameters.tolerance;
+  r.parameters = e.parameters;
   r.grid_step = e.step;
   r.arithmetic = geometry::arithmetic();
-  r.rules = e.rules().to_string();
   r.points = e.counts.points;
   r.refused = e.counts.refused;
   r.expired = e.counts.expired;
   r.sets = e.counts.sets;
-  r.neighbours = e.parameters.neighbours;
-  r.redundancy_count = e.parameters.redundancy_count;
-  r.redundancy_ratio = e.parameters.redundancy_ratio;
   r.redundant_by_count = e.counts.redundant_by_count;
   r.redundant_by_position = e.counts.redundant_by_position;
   r.next_segment = e.next_segment;

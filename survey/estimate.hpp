@@ -10,7 +10,8 @@
 
 namespace limpet::survey {
 
-/// A fair sample of a stream of points, of bounded size, the same for the same stream.
+/// A uniform random sample, of bounded size, of a stream of points (reservoir sampling). The seed is fixed,
+/// so that the same stream gives the same sample.
 class Sample {
  public:
   explicit Sample(std::size_t size = 20'000) : size_(size) {}
@@ -18,7 +19,7 @@ class Sample {
   const std::vector<model::SensorPoint>& points() const { return points_; }
   /// Points of the stream so far.
   std::int64_t count() const { return count_; }
-  /// Points of the stream for each one of the sample.
+  /// How many points of the stream one point of the sample stands for.
   double weight() const;
 
  private:
@@ -28,14 +29,15 @@ class Sample {
   Random random_{1};
 };
 
-/// What a scan tells about itself. Zero where it does not (too few points, or all in one place).
+/// What a scan tells about itself. A number is zero where the scan does not tell it, as where there are too
+/// few points or all of them are in one place.
 struct Estimate {
-  double area_per_point = 0;  ///< of the surface, the square of the scan's unit; the mean over the surface
-  double sparse_area = 0;     ///< the same where the scan is sparse: on 95 % of the surface it is less
+  double area_per_point = 0;  ///< mean area of the surface for each point, square of the scan's unit
+  double sparse_area = 0;     ///< the same where the scan is sparse: 95 % of the surface has less
   NoiseLaw noise;             ///< standard deviation of a reading along its axis
-  double near_range = 0;      ///< exceeded by 95 % of the points, scan's unit; 0: not known
-  double far_range = 0;       ///< exceeded by 5 %
-  std::int64_t points = 0;    ///< that were looked at
+  double near_range = 0;      ///< 95 % of the points are farther from the sensor, scan's unit; 0: not known
+  double far_range = 0;       ///< 5 % of the points are farther
+  std::int64_t points = 0;    ///< points that were looked at
 };
 
 using Take = std::function<void(const model::SensorPoint&)>;
@@ -43,7 +45,7 @@ using Take = std::function<void(const model::SensorPoint&)>;
 /// Estimates from the points that `pass` hands out; it is called twice and hands out the same both times.
 Estimate estimate(const std::function<void(const Take&)>& pass);
 
-/// The same from a sample alone: coarser, but of a stream that passes only once.
+/// The same from a sample alone, for a stream that passes only once. The estimate is coarser.
 Estimate estimate(const Sample& sample);
 
 /// What a linear resolution λ has to be at least, scan's unit, for each thing that asks for it.

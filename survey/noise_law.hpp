@@ -31,7 +31,7 @@ struct NoiseAt {
 /// to half of the neighbourhoods, at every range, may cross edges of the surface.
 NoiseLaw fit_noise_law(std::vector<NoiseAt> found);
 
-/// The value that this part, 0 to 1, of the values lie below; 0 when there is none.
+/// The quantile of some values: `part` of them, 0 to 1, lie below it. 0 where there are no values.
 double quantile(std::vector<double> values, double part);
 
 }  // namespace limpet::survey

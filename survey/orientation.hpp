@@ -8,8 +8,9 @@
 
 namespace limpet::survey {
 
-/// Finds from which side the points of a cloud were sensed when nothing says so: two passes over the points,
-/// memory by the surface alone.
+/// Finds the side from which each point of a cloud was sensed where the scan does not say it (consistent
+/// orientation of normals). It takes two passes over the points; its memory grows with the area of the
+/// surface, not with the number of points.
 ///
 /// Neighbouring voxels vote on whether their normals agree: where one surface goes on, by the normals'
 /// product (Hoppe et al., "Surface reconstruction from unorganized points", SIGGRAPH 1992); where two planes
@@ -43,8 +44,9 @@ class Orientation {
   int components() const { return components_; }
 
  private:
-  /// Where not all around a voxel is of its own surface: the flat voxels that touch it, begin to near_end in
-  /// planes_, and those one farther off, near_end to end.
+  /// A voxel near an edge of the surface holds points of several planes. These are the flat voxels around it,
+  /// whose planes its points may lie on, as ranges of planes_: from begin to near_end those that touch it,
+  /// from there to end those one voxel farther off.
   struct Crease {
     std::int64_t begin = -1, near_end = -1, end = -1;
     bool is_one() const { return begin >= 0; }
@@ -54,8 +56,8 @@ class Orientation {
   void turn(const std::vector<int>& component);
   void find_creases();
   Eigen::Vector3d normal_at(const Eigen::Vector3d& point) const;
-  /// The voxel among some of planes_ on whose plane the point lies best, of those unlike a direction; -1:
-  /// none.
+  /// Of a range of planes_, the voxel whose plane is nearest to the point, among those whose normal is unlike
+  /// `unlike`; -1 where there is none.
   int nearest_plane(const Eigen::Vector3d& point, std::int64_t begin, std::int64_t end,
                     const Eigen::Vector3d& unlike) const;
   double off_plane(const Eigen::Vector3d& point, int voxel) const;

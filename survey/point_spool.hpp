@@ -7,8 +7,8 @@
 
 namespace limpet::survey {
 
-/// Points kept in a temporary file, for what has to be gone through twice and comes but once. The file has no
-/// name and is gone when the program ends, however it ends; TMPDIR says where it lies.
+/// Points kept in a temporary file, so that standard input, which comes only once, can be gone through twice.
+/// The file has no name and is gone when the program ends, however it ends; TMPDIR says where it lies.
 class PointSpool {
  public:
   struct Entry {

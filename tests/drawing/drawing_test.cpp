@@ -8,13 +8,20 @@
 #include <limpet/drawing/raster.hpp>
 #include <set>
 
-#include "files.hpp"
-#include "models.hpp"
+#include "../io/files.hpp"
+#include "../io/models.hpp"
 
 namespace limpet::drawing::testing {
 namespace {
 
-class DrawingTest : public FileTest {};
+using io::testing::cube;
+using io::testing::l_block;
+using io::testing::ModelMaker;
+using io::testing::open_cube;
+using io::testing::plate;
+using io::testing::rectangle;
+
+class DrawingTest : public limpet::testing::TemporaryFolder {};
 
 const io::Color kOpen = open_edge_color(model::Refusal::alone);
 

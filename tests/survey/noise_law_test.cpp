@@ -53,15 +53,6 @@ TEST(NoiseLaw, IsOneNumberWhereRangesAreNotKnownOrAllTheSame) {
   EXPECT_EQ(fit_noise_law({}).fixed, 0);
 }
 
-TEST(NoiseLaw, IsPrintedAsItIsTyped) {
-  for (const NoiseLaw& noise : {NoiseLaw{0.0012, 0, 0}, {0, 0.002, 0}, {0.001, 0, 0.0014}}) {
-    const NoiseLaw read = parse_noise("--noise", short_text(noise));
-    EXPECT_EQ(read.fixed, noise.fixed);
-    EXPECT_EQ(read.per_range, noise.per_range);
-    EXPECT_EQ(read.per_range2, noise.per_range2);
-  }
-}
-
 Estimate estimate_of(const std::vector<model::SensorPoint>& points) {
   return estimate([&](const Take& take) {
     for (const auto& p : points) take(p);
