@@ -25,9 +25,9 @@ namespace limpet::survey {
 
 /// What is known of a scan beforehand, lengths in the scan's unit. What is left out is chosen from the scan.
 struct Known {
-  std::optional<double> resolution;  ///< λ
-  std::optional<NoiseLaw> noise;
-  std::optional<double> tolerance;  ///< how far from its plane a surface may be
+  std::optional<double> resolution{};  ///< λ
+  std::optional<NoiseLaw> noise{};
+  std::optional<double> tolerance{};  ///< how far from its plane a surface may be
   /// All that no scan tells. The resolution, noise and tolerance in it are not looked at.
   model::Parameters others{};
 };

@@ -56,6 +56,15 @@ TEST_F(Choose, WhatIsKnownStaysAsItIs) {
             "resolution 0.07123: given\nnoise 0.001235: given\ntolerance 0.01988: given\n");
 }
 
+TEST_F(Choose, OneMayBeKnownAlone) {
+  const std::string file = scan("cube.ply");
+  PointStream points(file), others(file);
+  const Choice choice = choose(points, {.resolution = 0.2}), free = choose(others);
+  EXPECT_EQ(choice.parameters.resolution, 0.2);
+  EXPECT_EQ(choice.parameters.noise, free.parameters.noise);
+  EXPECT_EQ(choice.parameters.tolerance, 0.04) << "a fifth of the resolution that is known";
+}
+
 TEST_F(Choose, SaysWhy) {
   PointStream exact(scan("exact.ply", true, 0));
   const std::string by_density = explanation(choose(exact));
