@@ -16,7 +16,7 @@
 namespace limpet::app {
 namespace {
 
-/// A model's open edges; none where it is not such that it could be gone on with.
+/// The open edges of a model and what refused them a neighbour; none where the record is no valid model.
 std::vector<model::OpenEdge> open_edges_of(const model::ModelRecord& record) {
   try {
     return model::Model(record).open_edges();

@@ -18,12 +18,11 @@ namespace {
 
 constexpr std::size_t kMostColumns = 4;
 
-/// 1,234,567
 std::string counted(std::int64_t number, const std::string& one, const std::string& many) {
   return io::grouped(number) + " " + (number == 1 ? one : many);
 }
 
-/// What there is of a model, for the line under its caption.
+/// The counts of a model, for the line under its caption.
 std::string summary(const model::ModelRecord& model) {
   std::int64_t shared = 0, open = 0;
   for (const auto& segment : model.polygon_segments) {

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The samples weigh the same area each; the vertices only show in the maximum.
+/// The samples stand for equal areas and give mean and quantiles; the vertices count for the maximum alone.
 DistanceSummary summary(const std::vector<Triangle3>& from, const NearestSurface& to, int samples) {
   std::vector<double> distances;
   for (const Vector3d& p : spread_over(from, samples)) distances.push_back(to.distance(p));

@@ -10,13 +10,13 @@
 namespace limpet::evaluation {
 namespace {
 
-/// Points that a true and a found region share, by their places in the score.
+/// How many points a true and a found region share; the regions are given by their indices in the score.
 struct Meeting {
   std::size_t truth, found;
   std::int64_t points;
 };
 
-/// One way to read what happened to some regions.
+/// One instance of Hoover's kinds (correct, over- or under-segmented), with the regions it is about.
 struct Instance {
   RegionFate fate;
   std::vector<std::size_t> truth, found;  ///< places in the score, ascending by label

@@ -208,8 +208,7 @@ void read_version(Fields& in) {
   in.done();
 }
 
-/// The parameters but for the rules, which come later; those that a file need not say keep their usual
-/// values.
+/// The parameters except the rules, which come later. Those that the file leaves out keep their usual values.
 void read_parameters(Fields& in, model::Parameters& p) {
   p.resolution = single(in, "resolution");
   p.angle_rad = single(in, "angle");
@@ -255,8 +254,8 @@ std::string read_arithmetic(Fields& in) {
   return arithmetic;
 }
 
-/// Names in the order in which they are written: other texts for the same rules would not be given back as
-/// they are.
+/// The names have to be in the order in which they are written, so that a file reads and writes back to the
+/// same bytes.
 model::Rules read_rules(Fields& in) {
   in.line("rules");
   const std::string names = in.word();

@@ -10,7 +10,7 @@ namespace limpet::io {
 namespace {
 
 constexpr std::size_t kFlushBytes = 1 << 20;
-const model::Parameters kUsual;  ///< those that a file need not say
+const model::Parameters kUsual;  ///< the lines of a file that would say these are left out
 
 /// One line: a word, then fields. Ends itself.
 class Line {

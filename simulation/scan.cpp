@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using Order = ScanOptions::Order;
 using Take = std::function<void(const LabelledPoint&)>;
 
-/// What becomes of a true surface point on its way through the sensor.
+/// The sensor's errors: noise along the axis, and outliers.
 class Sensor {
  public:
   Sensor(const Mesh& mesh, const ScanOptions& options) : options_(options), random_(options.seed) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int64_t kLookAheadFile = 2'000'000, kLookAheadStream = 100'000;
 
-/// What the scan tells about itself, looked up when first asked for, and once.
+/// What the scan tells about itself. The scan is gone through when this is first asked for, and only then.
 class LookAhead {
  public:
   explicit LookAhead(PointStream& points)
@@ -31,7 +31,7 @@ class LookAhead {
   std::optional<Estimate> found_;
 };
 
-/// A damaged scan has few points because of its damage: then that is what has to be said.
+/// A damaged scan may have few points because of its damage; then the damage is what has to be reported.
 [[noreturn]] void refuse_few_points(PointStream& points) {
   for (Reading reading; points.next(reading);) {
   }

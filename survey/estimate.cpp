@@ -33,11 +33,11 @@ constexpr double kFlat = 0.15;  ///< thickness over radius below which a neighbo
 
 Point to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
-/// Points around a centre, and the radius within which they are all there are of a sample.
+/// All points of a sample, or of the scan, that lie within a radius of a centre.
 struct Neighbourhood {
   std::vector<model::SensorPoint> points;
   double radius = 0;
-  double weight = 1;  ///< points of the scan for each of these
+  double weight = 1;  ///< points of the scan that each of these stands for
 };
 
 /// What a neighbourhood says when it is flat.
@@ -123,22 +123,23 @@ class Coarse {
   PointTree tree_;
 };
 
-/// Sorted, without the extremes: they are outliers'.
+/// Sorted, without the largest 3 %, which come from outliers.
 std::vector<double> trimmed(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   values.resize(values.size() - values.size() * 3 / 100);
   return values;
 }
 
-/// The mean over points of area per point is total area over all points, whatever the density does: the
-/// points that are averaged over lie as the density says.
+/// The mean of the area per point, taken over the points, is the total area over the number of points even
+/// where the density varies: dense parts have more points that say little, sparse ones fewer that say much.
 double mean(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-/// The area per point that is exceeded on 5 % of the surface: each point stands for that much of it.
+/// The area per point that is exceeded on 5 % of the surface. Each value is also the area its point stands
+/// for.
 double sparse(const std::vector<double>& ascending) {
   double left = 0.05 * mean(ascending) * static_cast<double>(ascending.size());
   for (auto at = ascending.rbegin(); at != ascending.rend(); ++at) {
@@ -148,7 +149,7 @@ double sparse(const std::vector<double>& ascending) {
   return 0;
 }
 
-/// The finest scale first.
+/// The finest scale at which the neighbourhood of a centre is flat; an empty patch where there is none.
 Patch first_flat(const Neighbourhood& fine, const Coarse& coarse, const model::SensorPoint& centre,
                  const RoundedDepths& rounded) {
   std::optional<Patch> patch = patch_of(fine, centre.axis, rounded);
@@ -168,7 +169,7 @@ std::vector<std::size_t> centres_of(const Sample& sample) {
   return centres;
 }
 
-/// Twice, if the scan shows that its depths were rounded before it was turned.
+/// Looks a second time if the first shows that the depths were rounded before the scan was turned.
 std::vector<Patch> look_at(const Sample& sample, const std::vector<std::size_t>& centres,
                            const std::vector<Neighbourhood>& fine, const Coarse& coarse) {
   const auto look = [&](const RoundedDepths& rounded) {
@@ -193,7 +194,7 @@ std::vector<Patch> look_at(const Sample& sample, const std::vector<std::size_t>&
 Estimate summarise(const Sample& sample, const std::vector<Patch>& patches) {
   std::vector<double> areas, ranges;
   std::vector<NoiseAt> noises;
-  // What is left of exact readings is the rounding of their coordinates.
+  // The scatter of exact readings is the rounding of their coordinates, which is no noise.
   double largest = 0;
   for (const auto& p : sample.points()) largest = std::max(largest, p.position.cwiseAbs().maxCoeff());
   for (const Patch& patch : patches) {

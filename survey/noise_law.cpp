@@ -10,10 +10,12 @@
 namespace limpet::survey {
 namespace {
 
-constexpr std::size_t kGroups = 10, kGroup = 40;  ///< at most so many, of at least so many neighbourhoods
-constexpr double kSame = 0.12;  ///< relative scatter about one number that estimates have of themselves
+constexpr std::size_t kGroups = 10,
+                      kGroup = 40;  ///< at most kGroups groups of at least kGroup neighbourhoods
+constexpr double kSame = 0.12;      ///< relative scatter that estimates of one and the same noise have
 
-/// The median, unless half the neighbourhoods cross edges of the surface: then what the flat ones say.
+/// The median, unless half of the neighbourhoods cross edges of the surface: then an estimate from the flat
+/// ones.
 double typical(const std::vector<double>& noises) {
   const double low = 1.2 * quantile(noises, 0.2);  // 1.2: the median over the lower fifth's end, 13 degrees
   const double middle = quantile(noises, 0.5);
@@ -26,7 +28,7 @@ double typical(const std::vector<NoiseAt>& found) {
   return typical(noises);
 }
 
-/// One estimate for each of some bands of range that hold as many neighbourhoods each.
+/// One estimate for each of some bands of range, which hold equally many neighbourhoods.
 std::vector<NoiseAt> by_range(std::vector<NoiseAt> found) {
   std::sort(found.begin(), found.end(), [](const NoiseAt& a, const NoiseAt& b) {
     return a.range != b.range ? a.range < b.range : a.noise < b.noise;
@@ -47,8 +49,8 @@ struct Law {
   double misfit = 0;  ///< relative, root of the mean square
 };
 
-/// The law that has these of the three terms, least squares of the relative error; nothing if one is
-/// negative.
+/// The law of these powers of the range with the least squared relative error; nothing if a coefficient would
+/// not be positive.
 std::optional<Law> fitted(const std::vector<NoiseAt>& groups, const std::vector<int>& powers) {
   const auto rows = static_cast<Eigen::Index>(groups.size());
   Eigen::MatrixXd terms(rows, static_cast<Eigen::Index>(powers.size()));

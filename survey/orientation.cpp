@@ -13,8 +13,9 @@ namespace {
 constexpr double kSmooth = 0.9;    ///< cosine above which two normals are of one smooth surface (26°)
 constexpr double kRound = 0.1;     ///< weight of a vote by a patch that is not flat
 constexpr double kCrease = 0.5;    ///< weight of a vote across an edge
-constexpr double kOnPlane = 0.15;  ///< edges; a point no farther off a plane may be of it
-constexpr double kOneSide = 0.2;  ///< mean cosine above which the top (or the sides) of a component say which
+constexpr double kOnPlane = 0.15;  ///< in voxel edges: a point that is no farther off a plane may lie on it
+constexpr double kOneSide =
+    0.2;  ///< mean cosine above which the top (or the sides) of a component tell its outside
 
 /// How sure it is that the normals agree as they are (positive) or that one has to be turned (negative), in
 /// -1..1.
@@ -94,7 +95,7 @@ void Orientation::solve() {
   SignedForest forest(voxels_.size());
   for_each_link(voxels_, [&](int i, int j) {
     const SurfacePatch &a = voxels_.patch(i), &b = voxels_.patch(j);
-    // Clutter has many weak votes: those of touching voxels will do.
+    // Between patches that are not flat there are many weak votes; those of touching voxels suffice.
     if ((a.flat && b.flat) || touch(voxels_.key(i), voxels_.key(j)))
       forest.vote(i, j, vote(a, b, voxels_.edge()));
   });
@@ -165,7 +166,7 @@ int Orientation::nearest_plane(const Eigen::Vector3d& point, std::int64_t begin,
   return best.second;
 }
 
-/// In edges.
+/// The distance of a point from a voxel's plane, in voxel edges.
 double Orientation::off_plane(const Eigen::Vector3d& point, int voxel) const {
   return std::abs((point - voxels_.patch(voxel).centroid).dot(normals_[voxel])) / voxels_.edge();
 }

@@ -78,7 +78,7 @@ void PointStream::read_again(std::int64_t most,
     io::ScanRecord record;
     for (std::int64_t i = 0; i < most && !stopped() && again->next(record); ++i) take(record.point);
   } catch (const io::InputError&) {
-    // The points before the damage will do here; it is reported when the model comes to it.
+    // The points before the damage suffice here; next() reports the damage when it comes to it.
   }
 }
 

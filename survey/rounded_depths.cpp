@@ -8,7 +8,7 @@
 namespace limpet::survey {
 namespace {
 
-/// Radians; normals of neighbourhoods flat to the last digit agree that well.
+/// Radians: so well do the normals of neighbourhoods agree that are flat to the last digit.
 constexpr double kSameAxis = 1e-4;
 /// Cosine between sensing axis and depths; no camera sees farther to the side, and the coordinate that is
 /// nearest to an axis is never farther off.
