@@ -1,6 +1,4 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <Eigen/Geometry>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limpet/app/arguments.hpp>
@@ -12,6 +10,7 @@
 #include <limpet/io/text.hpp>
 #include <limpet/model/model.hpp>
 #include <limpet/simulation/scene.hpp>
+#include <stdexcept>
 
 namespace limpet::app {
 namespace {
@@ -25,24 +24,13 @@ std::vector<model::OpenEdge> open_edges_of(const model::ModelRecord& record) {
   }
 }
 
-drawing::View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& given_up) {
-  const auto is_along = [&](const Eigen::Vector3d& up) {
-    return !(up.cross(from).norm() > 1e-6 * up.norm() * from.norm());
-  };
-  if (is_along(Eigen::Vector3d::UnitX()) && is_along(Eigen::Vector3d::UnitY())) {
-    throw UsageError("--view 0,0,0: give a direction");
+drawing::View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& up) {
+  try {
+    return drawing::view_from(from, up);
+  } catch (const std::invalid_argument&) {
+    throw UsageError(from.norm() > 0 ? "--up lies along --view; give another"
+                                     : "--view 0,0,0: give a direction");
   }
-  if (given_up && is_along(*given_up)) throw UsageError("--up lies along --view; give another");
-  drawing::View view;
-  view.toward = -from;
-  if (given_up) {
-    view.up = *given_up;
-  } else {
-    view.up = is_along(Eigen::Vector3d::UnitZ()) ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
-  }
-  view.name =
-      "from " + io::short_text(from.x()) + ", " + io::short_text(from.y()) + ", " + io::short_text(from.z());
-  return view;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <limpet/model/open_edges.hpp>
 #include <limpet/model/record.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,11 @@ struct DrawOptions {
 /// Views that show these models well: two opposite oblique ones and one from above for bodies; for what was
 /// seen from one side only, three from that side. For several figures the first two.
 std::vector<View> default_views(const std::vector<Figure>& figures);
+
+/// The view from a direction, given as seen from the model (world; need not have length 1), and named by it.
+/// Where no `up` is given, up is z, or y in a view along z. Errors: std::invalid_argument when the direction
+/// has no length or `up` lies along it.
+View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& up = {});
 
 /// Draws models onto one sheet, as PNG or SVG by the extension of `path`: one figure with its views side by
 /// side, or several side by side (four in a row) with their views below each other. Faces in a colour per

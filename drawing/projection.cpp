@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limpet/drawing/open_edge_color.hpp>
 #include <limpet/drawing/projection.hpp>
+#include <limpet/io/text.hpp>
 #include <limpet/io/triangulate.hpp>
+#include <stdexcept>
 
 namespace limpet::drawing {
 namespace {
@@ -152,6 +154,19 @@ void project(const Scene& scene, const View& view, const Eigen::AlignedBox3d& bo
     panel.loose.push_back(at);
   }
   choose_widths(panel);
+}
+
+View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& up) {
+  const auto is_along = [&](const Eigen::Vector3d& direction) {
+    return !(direction.cross(from).norm() > 1e-6 * direction.norm() * from.norm());
+  };
+  if (!(from.norm() > 0)) throw std::invalid_argument("a view from no direction");
+  if (up && is_along(*up)) throw std::invalid_argument("the direction that is to be up lies along the view");
+  const Eigen::Vector3d usual =
+      is_along(Eigen::Vector3d::UnitZ()) ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+  return {
+      -from, up.value_or(usual),
+      "from " + io::short_text(from.x()) + ", " + io::short_text(from.y()) + ", " + io::short_text(from.z())};
 }
 
 }  // namespace limpet::drawing

@@ -13,8 +13,8 @@ namespace limpet::drawing {
 /// What of a model is drawn, in the world.
 struct Scene {
   std::vector<io::LiftedPolygon> polygons;  ///< finite, each with a perimeter of three vertices at least
-  std::vector<Eigen::Vector3d> loose;   ///< centres of the point segments
-  Eigen::AlignedBox3d box;              ///< of the polygons; of the loose points where there are none
+  std::vector<Eigen::Vector3d> loose;       ///< centres of the point segments
+  Eigen::AlignedBox3d box;                  ///< of the polygons; of the loose points where there are none
   std::unordered_map<std::uint64_t, model::Refusal> refusals;  ///< of open edges, by identity
 
   model::Refusal refusal_of(std::uint64_t edge) const {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <limpet/io/error.hpp>
-#include <limpet/model/model.hpp>
+#include <limpet/model/parameters.hpp>
 #include <limpet/survey/estimate.hpp>
 #include <limpet/survey/noise_law.hpp>
 #include <limpet/survey/point_stream.hpp>

@@ -194,6 +194,17 @@ TEST_F(DrawingTest, SvgShowsEveryFigureInEveryView) {
   EXPECT_EQ(text.substr(text.size() - 7), "</svg>\n");
 }
 
+TEST_F(DrawingTest, AViewFromADirectionHasSomeUp) {
+  const View oblique = view_from({1, -0.8, 0.6});
+  EXPECT_EQ(oblique.toward, Eigen::Vector3d(-1, 0.8, -0.6));
+  EXPECT_EQ(oblique.up, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(oblique.name, "from 1, -0.8, 0.6");
+  EXPECT_EQ(view_from({0, 0, 2}).up, Eigen::Vector3d::UnitY());
+  EXPECT_EQ(view_from({0, 0, 2}, Eigen::Vector3d::UnitX()).up, Eigen::Vector3d::UnitX());
+  EXPECT_THROW(view_from({0, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(view_from({0, 0, 2}, Eigen::Vector3d(0, 0, -1)), std::invalid_argument);
+}
+
 TEST_F(DrawingTest, DefaultViewsLookAtWhatWasSeen) {
   EXPECT_EQ(default_views({{cube(), ""}}).size(), 3u);
   ModelMaker maker;  // a wall seen by a sensor that looks along +y
