@@ -56,14 +56,14 @@ double parse_length(const std::string& option, const std::string& text, bool zer
   return *number;
 }
 
-NoiseArgument parse_noise(const std::string& option, const std::string& text) {
+survey::NoiseLaw parse_noise(const std::string& option, const std::string& text) {
   auto numbers = to_numbers(text);
   if (numbers.empty() || numbers.size() > 3) {
     throw UsageError(option + " '" + text +
                      "': give a; or a,b for a + b times the range; or a,b,c for c times its square more");
   }
   numbers.resize(3);
-  const NoiseArgument noise{numbers[0], numbers[1], numbers[2]};
+  const survey::NoiseLaw noise{numbers[0], numbers[1], numbers[2]};
   if (noise.fixed < 0 || noise.per_range < 0 || noise.per_range2 < 0)
     throw UsageError(option + " " + text + ": must be 0 or more");
   return noise;
@@ -97,21 +97,6 @@ std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::strin
     rest.remove_prefix(comma + 1);
   }
 }
-
-std::string short_text(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", number);
-  return text;
-}
-
-std::string short_text(const NoiseArgument& noise) {
-  std::string text = short_text(noise.fixed);
-  if (noise.varies()) text += "," + short_text(noise.per_range);
-  if (noise.per_range2 > 0) text += "," + short_text(noise.per_range2);
-  return text;
-}
-
-double short_number(double number) { return to_number(short_text(number)).value_or(number); }
 
 void require_writable(const std::string& path) {
   namespace fs = std::filesystem;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limpet/survey/noise_law.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -28,27 +29,12 @@ struct RedundancyArgument {
 /// "N,F", both 0 or more. Throws UsageError.
 RedundancyArgument parse_redundancy(const std::string& option, const std::string& text);
 
-/// "a", "a,b" or "a,b,c": the standard deviation of a reading is a + b · range + c · range².
-struct NoiseArgument {
-  double fixed = 0;       ///< a, scan's unit
-  double per_range = 0;   ///< b
-  double per_range2 = 0;  ///< c, in one over the scan's unit
-  /// Standard deviation of a reading from this far.
-  double at(double range) const { return fixed + (per_range + per_range2 * range) * range; }
-  bool varies() const { return per_range > 0 || per_range2 > 0; }
-};
-NoiseArgument parse_noise(const std::string& option, const std::string& text);
+/// "a", "a,b" or "a,b,c", all 0 or more. Throws UsageError.
+survey::NoiseLaw parse_noise(const std::string& option, const std::string& text);
 
 /// "0", "-1,0" or "0..9,255": whole numbers and ranges of them, both ends in. Throws UsageError.
 std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::string& option,
                                                                 const std::string& text);
-
-/// A number for people: up to four digits.
-std::string short_text(double number);
-/// As it would be typed: "a", "a,b" or "a,b,c".
-std::string short_text(const NoiseArgument& noise);
-/// To the four digits that short_text prints, so that what was printed can be typed.
-double short_number(double number);
 
 /// Refuses, before any work is done, an output whose folder does not exist or cannot be written to.
 /// Throws io::OutputError.

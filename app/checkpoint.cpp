@@ -7,12 +7,12 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <limpet/app/mesh_model.hpp>
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/output_file.hpp>
 #include <limpet/io/text.hpp>
 #include <limpet/model/digest.hpp>
+#include <limpet/simulation/initial_faces.hpp>
 
 namespace limpet::app {
 namespace {
@@ -37,7 +37,7 @@ std::string hexadecimal(std::uint64_t word) {
 
 std::string digest_of_faces(const std::string& mesh) {
   model::Digest digest;
-  for (const auto& face : initial_faces(mesh)) {
+  for (const auto& face : simulation::initial_faces(simulation::load_mesh(mesh))) {
     digest.add(std::uint64_t{face.cycles.size()});
     for (const auto& cycle : face.cycles) {
       digest.add(std::uint64_t{cycle.size()});

@@ -11,7 +11,7 @@
 /// Checkpoints of `limpet model` (docs/checkpoints.md).
 namespace limpet::app {
 
-/// An option that what comes out depends on, and its value, as text on one line.
+/// An option of the command line on which the resulting model depends, and its value, as text on one line.
 struct CheckpointOption {
   std::string name, value;
 };
@@ -19,8 +19,8 @@ struct CheckpointOption {
 /// All that a run needs, besides its scan, to go on after a whole set as if it had not stopped.
 struct Checkpoint {
   std::vector<CheckpointOption> options;
-  std::int64_t points = 0;   ///< of the scan that were given to the model
-  std::int64_t sets = 0;     ///< that they came in
+  std::int64_t points = 0;   ///< points of the scan that the model has been given
+  std::int64_t sets = 0;     ///< sets in which they were given
   std::uint64_t digest = 0;  ///< of these points
   std::int64_t violations = 0;
   double seconds = 0;     ///< spent so far
@@ -29,16 +29,18 @@ struct Checkpoint {
   std::string model;      ///< Model::state()
 };
 
-/// Those of the arguments that what comes out depends on. Reads the mesh of --initial: its errors.
+/// The options on which the resulting model depends. The mesh of --initial is read for it; errors as of
+/// simulation::load_mesh().
 std::vector<CheckpointOption> options_of(const ModelArguments& args);
 
-/// Written aside, synced and renamed. Errors: io::OutputError.
+/// Writes the whole file or leaves the old one (see io::OutputFile). Errors: io::OutputError.
 void save_checkpoint(const std::string& path, const Checkpoint& checkpoint);
 
-/// Nothing when there is no such file. Errors: io::InputError when it is damaged, none, or another version's.
+/// Reads a checkpoint; nothing when there is no such file. Errors: io::InputError when the file is damaged,
+/// is no checkpoint, or is of another version of the program.
 std::optional<Checkpoint> load_checkpoint(const std::string& path);
 
-/// Is what is there one, as far as its first bytes tell?
+/// Do the first bytes of this file say that it is a checkpoint?
 bool is_checkpoint(const std::string& path);
 
 /// Throws io::InputError, naming the option, when a run of these options cannot go on from the checkpoint.

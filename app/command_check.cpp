@@ -7,6 +7,7 @@
 #include <limpet/app/progress.hpp>
 #include <limpet/audit/laws.hpp>
 #include <limpet/io/error.hpp>
+#include <limpet/io/text.hpp>
 #include <nlohmann/json.hpp>
 
 namespace limpet::app {
@@ -51,13 +52,14 @@ int run(const CheckArguments& args) {
     }
     if (!args.quiet && violations.empty()) {
       std::printf("%s: nothing is broken (%zu laws, %s polygons, %s point segments)\n", args.model.c_str(),
-                  audit::laws().size(), grouped(static_cast<std::int64_t>(document.polygons.size())).c_str(),
-                  grouped(static_cast<std::int64_t>(document.point_segments.size())).c_str());
+                  audit::laws().size(),
+                  io::grouped(static_cast<std::int64_t>(document.polygons.size())).c_str(),
+                  io::grouped(static_cast<std::int64_t>(document.point_segments.size())).c_str());
     } else if (!args.quiet) {
       std::printf("%s: %s broken\n", args.model.c_str(),
                   violations.size() == 1
                       ? "1 law is"
-                      : (grouped(static_cast<std::int64_t>(violations.size())) + " laws are").c_str());
+                      : (io::grouped(static_cast<std::int64_t>(violations.size())) + " laws are").c_str());
     }
   }
   return violations.empty() ? kDone : kFallsShort;

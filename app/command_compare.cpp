@@ -3,10 +3,9 @@
 #include <cstdio>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
-#include <limpet/io/native.hpp>
+#include <limpet/evaluation/judgement.hpp>
+#include <limpet/evaluation/subject.hpp>
 #include <limpet/io/text.hpp>
-#include <limpet/simulation/judgement.hpp>
-#include <limpet/simulation/mesh.hpp>
 #include <limpet/simulation/scene.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,26 +13,7 @@
 namespace limpet::app {
 namespace {
 
-/// What is compared, whatever kind of file it came from.
-struct Subject {
-  std::vector<simulation::PlanarFace> faces;
-  std::int64_t edges = 0, open_edges = 0;
-  bool closed() const { return edges > 0 && open_edges == 0; }
-};
-
-Subject load_subject(const std::string& path) {
-  if (io::extension_of(path) == "limpet") {
-    const model::ModelRecord record = io::load_native(path);
-    const simulation::Closedness closedness = simulation::closedness(record);
-    return {simulation::planar_faces(record), closedness.edges, closedness.open_edges};
-  }
-  // A model may face inward as well as outward: it is compared as it stands.
-  const simulation::Mesh mesh = simulation::load_mesh(path, simulation::kPlanarity, true);
-  const simulation::EdgeCounts edges = simulation::count_edges(mesh);
-  return {simulation::planar_faces(mesh), edges.edges, edges.open};
-}
-
-nlohmann::ordered_json to_json(const simulation::DistanceSummary& d) {
+nlohmann::ordered_json to_json(const evaluation::DistanceSummary& d) {
   // JSON has no infinity: a model without area has null distances.
   const auto number = [](double x) {
     return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(nullptr);
@@ -45,7 +25,7 @@ nlohmann::ordered_json to_json(const simulation::DistanceSummary& d) {
           {"p99", number(d.p99)}};
 }
 
-void print_row(const char* name, const simulation::DistanceSummary& d) {
+void print_row(const char* name, const evaluation::DistanceSummary& d) {
   std::printf("%s  mean %-10.4g median %-10.4g 90 %% %-10.4g 99 %% %-10.4g max %.4g\n", name, d.mean,
               d.median, d.p90, d.p99, d.max);
 }
@@ -56,9 +36,9 @@ int run(const CompareArguments& args) {
   if (args.by_labels) return run_by_labels(args);
   refuse_folder(args.model);
   refuse_folder(args.truth);
-  const Subject subject = load_subject(args.model);
+  const evaluation::Subject subject = evaluation::load_subject(args.model);
   const simulation::Mesh truth = simulation::make_scene(args.truth).mesh;
-  const simulation::Comparison c = simulation::compare(subject.faces, truth);
+  const evaluation::Comparison c = evaluation::compare(subject.faces, truth);
   const double worst = std::max(c.model_to_truth.max, c.truth_to_model.max);
   const bool near = !args.max_distance || worst <= *args.max_distance;
   const bool faces = !args.faces_exact || c.polygons == c.true_faces;

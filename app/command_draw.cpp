@@ -1,21 +1,21 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <Eigen/Geometry>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
-#include <limpet/app/mesh_model.hpp>
-#include <limpet/io/drawing.hpp>
+#include <limpet/drawing/drawing.hpp>
+#include <limpet/drawing/mesh_record.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/native.hpp>
 #include <limpet/io/text.hpp>
 #include <limpet/model/model.hpp>
+#include <limpet/simulation/scene.hpp>
+#include <stdexcept>
 
 namespace limpet::app {
 namespace {
 
-/// A model's open edges; none where it is not such that it could be gone on with.
+/// The open edges of a model and what refused them a neighbour; none where the record is no valid model.
 std::vector<model::OpenEdge> open_edges_of(const model::ModelRecord& record) {
   try {
     return model::Model(record).open_edges();
@@ -24,23 +24,13 @@ std::vector<model::OpenEdge> open_edges_of(const model::ModelRecord& record) {
   }
 }
 
-io::View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& given_up) {
-  const auto is_along = [&](const Eigen::Vector3d& up) {
-    return !(up.cross(from).norm() > 1e-6 * up.norm() * from.norm());
-  };
-  if (is_along(Eigen::Vector3d::UnitX()) && is_along(Eigen::Vector3d::UnitY())) {
-    throw UsageError("--view 0,0,0: give a direction");
+drawing::View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& up) {
+  try {
+    return drawing::view_from(from, up);
+  } catch (const std::invalid_argument&) {
+    throw UsageError(from.norm() > 0 ? "--up lies along --view; give another"
+                                     : "--view 0,0,0: give a direction");
   }
-  if (given_up && is_along(*given_up)) throw UsageError("--up lies along --view; give another");
-  io::View view;
-  view.toward = -from;
-  if (given_up) {
-    view.up = *given_up;
-  } else {
-    view.up = is_along(Eigen::Vector3d::UnitZ()) ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
-  }
-  view.name = "from " + short_text(from.x()) + ", " + short_text(from.y()) + ", " + short_text(from.z());
-  return view;
 }
 
 }  // namespace
@@ -51,25 +41,25 @@ int run(const DrawArguments& args) {
   if (extension != "png" && extension != "svg") {
     throw UsageError("-o " + args.picture + ": a picture is written as .png or .svg");
   }
-  std::vector<io::Figure> figures;
+  std::vector<drawing::Figure> figures;
   for (const std::string& path : args.models) {
     const std::string name = std::filesystem::path(path).stem().string();
-    if (is_mesh_name(path)) {
-      figures.push_back({model_of_mesh(path), name});
+    if (simulation::is_scene_name(path)) {
+      figures.push_back({drawing::record_of(simulation::make_scene(path).mesh), name});
       continue;
     }
     model::ModelRecord record = io::load_native(path);
     auto open_edges = open_edges_of(record);
     figures.push_back({std::move(record), name, std::move(open_edges)});
   }
-  io::DrawOptions options;
+  drawing::DrawOptions options;
   options.width = args.width;
   for (const Eigen::Vector3d& from : args.views) options.views.push_back(view_from(from, args.up));
   if (args.up && args.views.empty()) {
-    options.views = io::default_views(figures);
-    for (io::View& view : options.views) view.up = view_from(-view.toward, args.up).up;
+    options.views = drawing::default_views(figures);
+    for (drawing::View& view : options.views) view.up = view_from(-view.toward, args.up).up;
   }
-  io::draw(figures, args.picture, options);
+  drawing::draw(figures, args.picture, options);
   if (!args.quiet) std::printf("written: %s\n", args.picture.c_str());
   return kDone;
 }

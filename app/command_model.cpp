@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The name of another file, or of none, must not be taken for the checkpoint's: that would be overwritten.
+/// The checkpoint's name must not be that of another file, which would be overwritten.
 void require_checkpoint_place(const ModelArguments& args) {
   const std::string& path = args.checkpoint;
   require_writable(path);
@@ -49,7 +49,7 @@ void require_outputs(const ModelArguments& args) {
   if (!args.checkpoint.empty()) require_checkpoint_place(args);
 }
 
-/// What to go on from. The first of many starts of one command has nothing yet.
+/// The checkpoint that --resume continues from. The first of many starts of one command finds none yet.
 std::optional<Checkpoint> found_checkpoint(const ModelArguments& args) {
   if (!args.resume) return std::nullopt;
   auto found = load_checkpoint(args.checkpoint);

@@ -5,6 +5,7 @@
 #include <limpet/app/interrupt.hpp>
 #include <limpet/app/progress.hpp>
 #include <limpet/io/scan_writer.hpp>
+#include <limpet/io/text.hpp>
 #include <limpet/simulation/scan.hpp>
 #include <limpet/simulation/scene.hpp>
 #include <limpet/simulation/shapes.hpp>
@@ -40,8 +41,8 @@ simulation::ScanOptions options_of(const ScanArguments& args, const simulation::
 
 std::string header_of(const ScanArguments& args) {
   return "limpet scan " + args.mesh + " --points " + std::to_string(args.points) + " --order " + args.order +
-         " --noise " + short_text(args.noise) + " --outliers " + short_text(args.outliers) + " --seed " +
-         std::to_string(args.seed);
+         " --noise " + io::short_text(args.noise) + " --outliers " + io::short_text(args.outliers) +
+         " --seed " + std::to_string(args.seed);
 }
 
 }  // namespace
@@ -78,15 +79,15 @@ int run(const ScanArguments& args) {
   progress.clear();
   if (stopped) {
     std::fprintf(stderr, "limpet: interrupted after %s points; the scan so far is written\n",
-                 grouped(points).c_str());
+                 io::grouped(points).c_str());
   }
   if (!args.quiet) {
     const auto from = options.viewpoints.empty() ? std::string("around the mesh")
                                                  : std::to_string(options.viewpoints.size()) + " viewpoints";
     std::printf("%s: %s points of %d faces, %s%s%s; noise %s, %s outliers, seed %llu\nwritten: %s\n",
-                args.mesh.c_str(), grouped(points).c_str(), scene.mesh.face_count, args.order.c_str(),
+                args.mesh.c_str(), io::grouped(points).c_str(), scene.mesh.face_count, args.order.c_str(),
                 args.order == "sampled" ? "" : " from ", args.order == "sampled" ? "" : from.c_str(),
-                short_text(args.noise).c_str(), grouped(outliers).c_str(),
+                io::short_text(args.noise).c_str(), io::grouped(outliers).c_str(),
                 static_cast<unsigned long long>(args.seed), args.scan.c_str());
   }
   return stopped ? kFallsShort : kDone;

@@ -4,7 +4,9 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <limpet/app/arguments.hpp>
+#include <limpet/evaluation/label_overlaps.hpp>
 #include <limpet/model/rules.hpp>
+#include <limpet/survey/point_stream.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,9 +28,9 @@ struct ModelArguments {
   std::vector<std::string> models;   ///< where to write the model; the format by extension
   std::optional<double> resolution;  ///< scan's unit; chosen from the scan when not given
   double angle_deg = 10;
-  std::optional<NoiseArgument> noise;  ///< chosen from the scan when not given
-  std::optional<double> tolerance;     ///< scan's unit; by noise and resolution when not given
-  std::int64_t set_size = 26;
+  std::optional<survey::NoiseLaw> noise;  ///< chosen from the scan when not given
+  std::optional<double> tolerance;        ///< scan's unit; by noise and resolution when not given
+  std::int64_t set_size = survey::kSetSize;
   std::optional<Eigen::Vector3d> viewpoint;
   bool orient = false;  ///< find the axes by neighbour consistency, whatever the scan says
   model::Rules rules;
@@ -69,16 +71,13 @@ struct CheckArguments {
 };
 int run(const CheckArguments&);
 
-/// A range of labels, both ends in it.
-using LabelRange = std::pair<std::int64_t, std::int64_t>;
-
 struct LabelArguments {
-  std::string column;                           ///< of a scan, that holds the true labels; empty: by its name
-  std::optional<std::vector<LabelRange>> none;  ///< true labels that stand for no region
-  std::string polygons;                         ///< a native model: labels of other segments are none
-  double overlap = 0.8;                         ///< share of a region that must agree
-  std::int64_t min_true = 1, min_found = 1;     ///< points of the smallest region that counts
-  std::optional<double> min_correct;            ///< a bound: share of the true regions that must be correct
+  std::string column;  ///< of a scan, that holds the true labels; empty: by its name
+  std::optional<std::vector<evaluation::LabelRange>> none;  ///< true labels that stand for no region
+  std::string polygons;                      ///< a native model: labels of other segments are none
+  double overlap = 0.8;                      ///< share of a region that must agree
+  std::int64_t min_true = 1, min_found = 1;  ///< points of the smallest region that counts
+  std::optional<double> min_correct;         ///< a bound: share of the true regions that must be correct
 };
 
 struct CompareArguments {

@@ -1,42 +1,23 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <algorithm>
 #include <cstdio>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
 #include <limpet/app/progress.hpp>
+#include <limpet/evaluation/label_overlaps.hpp>
+#include <limpet/evaluation/region_score.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/label_source.hpp>
 #include <limpet/io/native.hpp>
-#include <limpet/simulation/region_score.hpp>
+#include <limpet/io/text.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
 namespace limpet::app {
 namespace {
 
-using simulation::kNoRegion;
-using simulation::RegionFate;
-using simulation::RegionScore;
-
-/// Which labels stand for a region.
-class Regions {
- public:
-  /// A list says 0 for none, as `limpet model --labels` does, unless it is said otherwise.
-  Regions(const std::optional<std::vector<LabelRange>>& none, bool is_list)
-      : none_(none      ? *none
-              : is_list ? std::vector<LabelRange>{{0, 0}}
-                        : std::vector<LabelRange>{}) {}
-
-  std::int64_t region(std::int64_t label) const {
-    const bool none = label < 0 || std::any_of(none_.begin(), none_.end(), [&](const LabelRange& range) {
-                        return label >= range.first && label <= range.second;
-                      });
-    return none ? kNoRegion : label;
-  }
-
- private:
-  std::vector<LabelRange> none_;
-};
+using evaluation::kNoRegion;
+using evaluation::RegionFate;
+using evaluation::RegionScore;
 
 /// The identities of the polygons of a native model; nothing when none is given.
 std::optional<std::set<std::int64_t>> polygons_of(const std::string& path) {
@@ -51,32 +32,17 @@ std::optional<std::set<std::int64_t>> polygons_of(const std::string& path) {
 
 std::string name_of(const std::string& path) { return path == "-" ? "standard input" : path; }
 
-struct Overlaps {
-  simulation::RegionOverlaps counts;
-  std::int64_t records = 0;
-};
-
-Overlaps read_overlaps(const CompareArguments& args) {
+evaluation::CountedOverlaps read_overlaps(const CompareArguments& args) {
   if (args.model == "-" && args.truth == "-") throw UsageError("only one of LABELS and TRUTH can be -");
   const auto polygons = polygons_of(args.labels.polygons);
   io::LabelSource found(args.model, ""), truth(args.truth, args.labels.column);
-  const Regions found_regions(std::nullopt, true), true_regions(args.labels.none, truth.is_list());
-  Overlaps overlaps;
+  // What was found may come as a list or as a scan: 0 is in no segment.
+  const evaluation::RegionLabels found_regions{{{0, 0}}, polygons};
+  const evaluation::RegionLabels true_regions{args.labels.none.value_or(evaluation::usual_none(truth)), {}};
   Progress progress("comparing", -1, args.quiet);
-  for (std::int64_t found_label = 0, true_label = 0;; ++overlaps.records) {
-    const bool has_found = found.next(found_label), has_true = truth.next(true_label);
-    if (!has_found && !has_true) break;
-    if (has_found != has_true) {
-      throw io::InputError(name_of(has_found ? args.truth : args.model),
-                           "has only " + std::to_string(overlaps.records) +
-                               " labels, fewer than the other: they are not of the same scan");
-    }
-    std::int64_t region = found_regions.region(found_label);
-    if (polygons && !polygons->contains(region)) region = kNoRegion;
-    overlaps.counts.add(true_regions.region(true_label), region);
-    if (overlaps.records % 4096 == 0) progress.step(overlaps.records);
-  }
-  return overlaps;
+  return evaluation::count_overlaps({truth, true_regions, name_of(args.truth)},
+                                    {found, found_regions, name_of(args.model)},
+                                    [&](std::int64_t records) { progress.step(records); });
 }
 
 const char* text_of(RegionFate fate, bool is_true) {
@@ -97,7 +63,7 @@ using Json = nlohmann::ordered_json;
 
 Json label_json(std::int64_t label) { return label == kNoRegion ? Json(nullptr) : Json(label); }
 
-Json to_json(const simulation::TrueRegion& region) {
+Json to_json(const evaluation::TrueRegion& region) {
   return {{"label", region.label},
           {"points", region.points},
           {"fate", text_of(region.fate, true)},
@@ -107,17 +73,13 @@ Json to_json(const simulation::TrueRegion& region) {
           {"covered_by_main", region.covered_by_main()}};
 }
 
-Json to_json(const simulation::FoundRegion& region) {
+Json to_json(const evaluation::FoundRegion& region) {
   return {{"label", region.label},
           {"points", region.points},
           {"fate", text_of(region.fate, false)},
           {"truth", region.truth},
           {"main_true", label_json(region.main_true)},
           {"purity", region.purity()}};
-}
-
-double correct_share(const RegionScore& score) {
-  return simulation::share(score.correct, static_cast<std::int64_t>(score.truth.size()));
 }
 
 std::string to_json(const RegionScore& score, const LabelArguments& args, std::int64_t records, bool within) {
@@ -135,7 +97,7 @@ std::string to_json(const RegionScore& score, const LabelArguments& args, std::i
   json["noise"] = score.noise;
   json["merged"] = score.merged;
   json["pieces"] = score.pieces;
-  json["correct_share"] = correct_share(score);
+  json["correct_share"] = score.correct_share();
   json["purity"] = score.purity;
   json["covered"] = score.covered;
   json["within_bounds"] = within;
@@ -164,25 +126,25 @@ int run_by_labels(const CompareArguments& args) {
   refuse_folder(args.model);
   refuse_folder(args.truth);
   if (!args.json.empty() && args.json != "-") require_writable(args.json);
-  const Overlaps overlaps = read_overlaps(args);
+  const evaluation::CountedOverlaps overlaps = read_overlaps(args);
   if (overlaps.records == 0) throw io::InputError(name_of(args.model), "holds no label");
   const LabelArguments& labels = args.labels;
   RegionScore score;
   try {
-    score = simulation::score_regions(overlaps.counts, {labels.overlap, labels.min_true, labels.min_found});
+    score = evaluation::score_regions(overlaps.overlaps, {labels.overlap, labels.min_true, labels.min_found});
   } catch (const std::invalid_argument& error) {
-    throw UsageError("--overlap " + short_text(labels.overlap) + ": " + error.what());
+    throw UsageError("--overlap " + io::short_text(labels.overlap) + ": " + error.what());
   }
   if (score.truth.empty()) {
     throw io::InputError(name_of(args.truth), "tells no region of " + std::to_string(labels.min_true) +
                                                   " points or more; see --column, --none and --min-true");
   }
-  const bool within = !labels.min_correct || correct_share(score) >= *labels.min_correct;
+  const bool within = !labels.min_correct || score.correct_share() >= *labels.min_correct;
   if (!args.json.empty()) save_text(args.json, to_json(score, labels, overlaps.records, within));
   if (!args.quiet && args.json != "-") print(score);
   if (!within) {
     std::fprintf(stderr, "limpet: outside the bounds: %.4g of the true regions correct, --min-correct %.4g\n",
-                 correct_share(score), *labels.min_correct);
+                 score.correct_share(), *labels.min_correct);
   }
   return within ? kDone : kFallsShort;
 }

@@ -12,7 +12,8 @@ namespace {
 
 volatile std::sig_atomic_t signal_came = 0;
 
-/// Standard input ends here, so that nobody goes on waiting for it. Only calls that are safe in a handler.
+/// Ends standard input, so that nothing waits for it any longer. Only calls that are safe in a signal
+/// handler.
 void remember(int) {
   signal_came = 1;
   const int error = errno;

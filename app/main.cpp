@@ -129,7 +129,7 @@ void add_scan(CLI::App& root, Command& chosen) {
   app.add_option("--order", args->order, "raster, shuffled or sampled (default raster)");
   text_option(app, "--noise", "A[,B]", "Standard deviation along the axis: A + B times the range",
               [args](const std::string& text) {
-                const NoiseArgument noise = parse_noise("--noise", text);
+                const limpet::survey::NoiseLaw noise = parse_noise("--noise", text);
                 args->noise = noise.fixed;
                 args->noise_per_range = noise.per_range;
               });

@@ -1,13 +1,14 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/app/model_run.hpp>
+#include <limpet/io/text.hpp>
 
 #include <cstdio>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/interrupt.hpp>
-#include <limpet/app/mesh_model.hpp>
 #include <limpet/app/progress.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/mesh_writer.hpp>
+#include <limpet/simulation/initial_faces.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -26,7 +27,7 @@ model::Model make_model(const model::Parameters& parameters) {
 
 void add_initial(model::Model& model, const std::string& mesh) {
   try {
-    model.add_initial(initial_faces(mesh));
+    model.add_initial(simulation::initial_faces(simulation::load_mesh(mesh)));
   } catch (const std::invalid_argument& error) {
     throw UsageError(mesh + ": " + error.what());
   }
@@ -38,7 +39,7 @@ ModelRun::ModelRun(const ModelArguments& args, std::optional<Checkpoint> checkpo
     : args_(args),
       options_(args.checkpoint.empty() ? std::vector<CheckpointOption>{} : options_of(args)),
       from_(std::move(checkpoint)),
-      scan_(args.scan, {args.viewpoint, args.orient, {}, {}}),
+      scan_(args.scan, {args.viewpoint, args.orient, {}, {}}, interrupted),
       keeper_(args.checkpoint, args.checkpoint_every),
       stages_(args.stages) {
   if (from_) require_same_options(args.checkpoint, *from_, options_);
@@ -46,37 +47,36 @@ ModelRun::ModelRun(const ModelArguments& args, std::optional<Checkpoint> checkpo
 
 int ModelRun::go() {
   require_points(scan_, args_);
-  LookAhead ahead(scan_);
-  model::Model model = from_ ? resume() : begin(ahead);
+  model::Model model = from_ ? resume() : begin();
   if (from_ && !catch_up()) return kFallsShort;
   from_.reset();
-  read_all(model, ahead.points());
+  read_all(model);
   return write(model);
 }
 
-model::Model ModelRun::begin(LookAhead& ahead) {
-  const model::Parameters parameters = choose_parameters(args_, scan_, ahead);
-  say_choice(args_, parameters);
-  if (!scan_.first()->has_axis) {
-    voxel_edge_ = voxel_edge(ahead, parameters.resolution);
-    orient(scan_, args_, voxel_edge_);
-  }
-  model::Model model = make_model(parameters);
+model::Model ModelRun::begin() {
+  const survey::Choice choice = choose(scan_, args_);
+  say_choice(args_, choice.parameters);
+  total_ = choice.points;
+  voxel_edge_ = choice.voxel_edge;
+  if (voxel_edge_ > 0) orient(scan_, args_, voxel_edge_);
+  model::Model model = make_model(choice.parameters);
   if (!args_.initial.empty()) add_initial(model, args_.initial);
   if (!args_.labels.empty()) model.keep_labels();
   return model;
 }
 
 model::Model ModelRun::resume() {
+  total_ = scan_.promised();
   try {
     model::Model model = model::Model::from_state(from_->model);
     from_->model = std::string();
     stages_.restore(from_->stages);
     say_choice(args_, model.parameters());
     voxel_edge_ = from_->voxel_edge;
-    if (scan_.first()->has_axis != (voxel_edge_ == 0))
-      throw io::InputError(name_of(scan_, args_), "is not the scan that " + args_.checkpoint +
-                                                      " was written for, or it has changed since");
+    if (scan_.has_axes() != (voxel_edge_ == 0))
+      throw io::InputError(scan_.name(), "is not the scan that " + args_.checkpoint +
+                                             " was written for, or it has changed since");
     if (voxel_edge_ > 0) orient(scan_, args_, voxel_edge_);
     return model;
   } catch (const std::invalid_argument& error) {
@@ -87,7 +87,7 @@ model::Model ModelRun::resume() {
 bool ModelRun::catch_up() {
   Progress progress("reading again", from_->points, args_.quiet);
   Reading reading;
-  while (given_ < from_->points && !interrupted() && scan_.next(reading.point, reading.skipped)) {
+  while (given_ < from_->points && !interrupted() && scan_.next(reading)) {
     count_in(reading);
     progress.step(given_);
   }
@@ -99,16 +99,16 @@ bool ModelRun::catch_up() {
   }
   if (given_ < from_->points && !scan_.damage().empty()) throw io::InputError(scan_.damage());
   if (given_ < from_->points || digest_.value() != from_->digest)
-    throw io::InputError(name_of(scan_, args_), "is not the scan that " + args_.checkpoint +
-                                                    " was written for, or it has changed since");
+    throw io::InputError(scan_.name(), "is not the scan that " + args_.checkpoint +
+                                           " was written for, or it has changed since");
   sets_ = from_->sets;
   violations_ = from_->violations;
   before_ = from_->seconds;
   return true;
 }
 
-void ModelRun::read_all(model::Model& model, std::int64_t total) {
-  Progress progress("modelling", total, args_.quiet);
+void ModelRun::read_all(model::Model& model) {
+  Progress progress("modelling", total_, args_.quiet);
   start_ = Clock::now();
   std::vector<Reading> set;
   for (;;) {
@@ -130,8 +130,7 @@ void ModelRun::read_all(model::Model& model, std::int64_t total) {
 void ModelRun::read_set(std::vector<Reading>& set) {
   set.clear();
   Reading reading;
-  while (static_cast<std::int64_t>(set.size()) < args_.set_size && !interrupted() &&
-         scan_.next(reading.point, reading.skipped))
+  while (static_cast<std::int64_t>(set.size()) < args_.set_size && !interrupted() && scan_.next(reading))
     set.push_back(reading);
 }
 
@@ -217,7 +216,7 @@ void ModelRun::save(const model::Model& model, const model::ModelRecord& record,
 void ModelRun::report(const Summary& summary) const {
   if (summary.interrupted) {
     std::fprintf(stderr, "limpet: interrupted after %s points; the model so far is written\n",
-                 grouped(summary.points).c_str());
+                 io::grouped(summary.points).c_str());
   }
   warn_of_density(summary);
   if (args_.quiet) return;
@@ -227,13 +226,13 @@ void ModelRun::report(const Summary& summary) const {
 }
 
 void ModelRun::warn_of_density(const Summary& summary) const {
-  const Estimate found = estimate(sample_);
+  const survey::Estimate found = survey::estimate(sample_);
   const double density = summary.resolution * summary.resolution / found.area_per_point;
   if (!(found.area_per_point > 0) || density >= kEnoughPoints) return;
   std::fprintf(stderr,
                "limpet: warning: %.1f points per square of the resolution %.4g are too few for surfaces to "
                "link up; --resolution %.3g would do\n",
-               density, summary.resolution, suitable_resolution(found, summary.noise));
+               density, summary.resolution, survey::suitable_resolution(found, summary.noise));
 }
 
 }  // namespace limpet::app

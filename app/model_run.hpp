@@ -6,45 +6,42 @@
 #include <limpet/app/checkpoint.hpp>
 #include <limpet/app/checkpoint_keeper.hpp>
 #include <limpet/app/commands.hpp>
-#include <limpet/app/estimate.hpp>
-#include <limpet/app/point_stream.hpp>
 #include <limpet/app/scan_choices.hpp>
 #include <limpet/app/skipped_records.hpp>
 #include <limpet/app/stages.hpp>
 #include <limpet/app/summary.hpp>
 #include <limpet/model/digest.hpp>
 #include <limpet/model/model.hpp>
+#include <limpet/survey/estimate.hpp>
+#include <limpet/survey/point_stream.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace limpet::app {
 
-/// One run of `limpet model`, from the first set, or the one behind a checkpoint, to the last file.
+/// One run of `limpet model`: from the first set of points, or the one after a checkpoint, until all files
+/// are written.
 class ModelRun {
  public:
-  /// Goes on from `checkpoint` if there is one. Throws io::InputError when the scan cannot be opened, or the
-  /// checkpoint was written with other options.
+  /// The run continues from `checkpoint` if there is one. Throws io::InputError when the scan cannot be
+  /// opened, or the checkpoint was written with other options.
   ModelRun(const ModelArguments& args, std::optional<Checkpoint> checkpoint);
 
   /// Returns the exit code. Errors: those of a command.
   int go();
 
  private:
-  /// A point of the scan, and how many records were passed over just before it.
-  struct Reading {
-    model::SensorPoint point;
-    std::int64_t skipped = 0;
-  };
+  using Reading = survey::Reading;
 
-  model::Model begin(LookAhead& ahead);
+  model::Model begin();
   model::Model resume();
   /// Reads again the points that the checkpoint's model has been given; they must be the same. False: it was
   /// interrupted.
   bool catch_up();
-  void read_all(model::Model& model, std::int64_t total);
+  void read_all(model::Model& model);
   void read_set(std::vector<Reading>& set);
-  /// Takes note of a point that the model is given.
+  /// Counts a point that the model is given, for labels, for the density warning and for checkpoints.
   void count_in(const Reading& reading);
   void give(model::Model& model, const std::vector<Reading>& set);
   void keep_checkpoint(const model::Model& model);
@@ -60,21 +57,22 @@ class ModelRun {
 
   const ModelArguments& args_;
   std::vector<CheckpointOption> options_;  ///< only where checkpoints are kept
-  std::optional<Checkpoint> from_;         ///< what is gone on from
-  PointStream scan_;
+  std::optional<Checkpoint> from_;         ///< the checkpoint that the run continues from
+  survey::PointStream scan_;
   CheckpointKeeper keeper_;
   Stages stages_;
-  // All that follows, but for times, comes from the points alone.
-  Sample sample_;
+  // What follows, apart from the times, depends on the points alone.
+  survey::Sample sample_;
   SkippedRecords skipped_;
   model::Digest digest_;    ///< of the points given, where checkpoints are kept
   std::int64_t given_ = 0;  ///< points handed to the model
   std::int64_t sets_ = 0, violations_ = 0;
   std::vector<model::SensorPoint> points_;  ///< scratch of give()
+  std::int64_t total_ = -1;                 ///< points of the scan; -1: not known
   double voxel_edge_ = 0;                   ///< by which the scan was oriented; 0: it says its axes
   Clock::time_point start_;                 ///< of reading and modelling
   double before_ = 0;                       ///< seconds spent before the checkpoint
-  double apart_ = 0;                        ///< seconds since `start_` spent on the oracle and on checkpoints
+  double apart_ = 0;  ///< seconds since `start_` that do not count: spent on the oracle and on checkpoints
   double seconds_ = 0;
   bool interrupted_ = false;
 };

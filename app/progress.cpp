@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limpet/io/text.hpp>
 #include <utility>
 
 namespace limpet::app {
@@ -34,7 +35,7 @@ void Progress::show(std::int64_t done, const std::string& note, double seconds) 
             std::string(static_cast<std::size_t>(kWidth - full), '.') + "] " +
             std::to_string(static_cast<int>(100 * part)) + " %  ";
   }
-  line += grouped(done) + "  " + grouped(static_cast<std::int64_t>(rate)) + "/s";
+  line += io::grouped(done) + "  " + io::grouped(static_cast<std::int64_t>(rate)) + "/s";
   if (total_ > 0 && rate > 0) {
     line += "  " + duration_text(std::max(0.0, static_cast<double>(total_ - done) / rate)) + " left";
   }
@@ -60,14 +61,6 @@ std::string duration_text(double seconds) {
   } else {
     std::snprintf(text, sizeof text, "%d:%02d:%02d", static_cast<int>(whole / 3600),
                   static_cast<int>(whole / 60 % 60), static_cast<int>(whole % 60));
-  }
-  return text;
-}
-
-std::string grouped(std::int64_t number) {
-  std::string text = std::to_string(number);
-  for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > (number < 0 ? 1 : 0); at -= 3) {
-    text.insert(static_cast<std::size_t>(at), 1, ',');
   }
   return text;
 }

@@ -36,7 +36,4 @@ class Progress {
 /// "1:02:03", "2:03" or "3 s".
 std::string duration_text(double seconds);
 
-/// "1,234,567"
-std::string grouped(std::int64_t number);
-
 }  // namespace limpet::app

@@ -9,13 +9,13 @@
 
 namespace limpet::app {
 
-/// How many records without a point stand before which point, for --labels.
+/// Remembers where a scan has records that are no point, because --labels writes a line for every record.
 class SkippedRecords {
  public:
   void add(std::int64_t before_point, std::int64_t records) {
     if (records > 0) skipped_.emplace_back(before_point, records);
   }
-  /// One line a record.
+  /// The labels file: one line for each record, 0 for one that is no point.
   std::string label_lines(const std::vector<model::SegmentId>& labels) const {
     std::string text;
     auto skipped = skipped_.begin();

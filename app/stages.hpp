@@ -9,8 +9,8 @@
 
 namespace limpet::app {
 
-/// Keeps a few models along the way, evenly spaced in points, of a stream whose length is not known: keeps
-/// twice as many as asked for, and when there are more, every other one.
+/// Keeps a few models of a growing one, evenly spaced in points, although the length of the stream is not
+/// known: keeps up to twice as many as asked for, and when there are more, drops every other one.
 class Stages {
  public:
   /// `count` 0: keeps none.
@@ -21,8 +21,8 @@ class Stages {
   /// the last is `final_model`. Returns their names. Errors: io::OutputError.
   std::vector<std::string> save(const std::string& path, const model::ModelRecord& final_model) const;
 
-  /// What has been kept so far, as text, and back. restore() throws io::InputError when it is none.
-  /// Precondition of restore(): a new one that keeps as many.
+  /// What has been kept so far, as text, and the way back. restore() throws io::InputError when the text is
+  /// no such state. Precondition of restore(): this object is new, with the same count.
   std::string state() const;
   void restore(std::string_view state);
 

@@ -1,5 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/app/summary.hpp>
+#include <limpet/io/text.hpp>
 
 #include <sys/resource.h>
 
@@ -20,9 +21,9 @@ Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEd
   s.refused = model.refused;
   s.expired = model.expired;
   s.sets = model.sets;
-  s.resolution = model.resolution;
-  s.noise = {model.noise, model.noise_per_range, model.noise_per_range2};
-  s.tolerance = model.tolerance;
+  s.resolution = model.parameters.resolution;
+  s.noise = {model.parameters.noise, model.parameters.noise_per_range, model.parameters.noise_per_range2};
+  s.tolerance = model.parameters.tolerance;
   s.polygons = static_cast<std::int64_t>(model.polygon_segments.size());
   s.segments = s.polygons + static_cast<std::int64_t>(model.point_segments.size());
   for (const auto& segment : model.point_segments) s.loose += segment.moments.count;
@@ -37,7 +38,7 @@ Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEd
   for (const model::OpenEdge& open : open_edges) ++s.open_because[open.refusal];
   s.redundant_by_count = model.redundant_by_count;
   s.redundant_by_position = model.redundant_by_position;
-  const auto welds = io::weld(io::lift(model), model.resolution);
+  const auto welds = io::weld(io::lift(model), model.parameters.resolution);
   s.corner_vertices = welds.corners;
   s.corner_distance = welds.corner_distance;
   return s;
@@ -80,34 +81,36 @@ std::string to_json(const Summary& s) {
 
 std::string to_text(const Summary& s) {
   std::ostringstream text;
-  text << grouped(s.points) << " points in " << grouped(s.sets) << " sets: " << grouped(s.polygons)
-       << (s.polygons == 1 ? " polygon" : " polygons");
-  if (s.holes > 0) text << " with " << grouped(s.holes) << (s.holes == 1 ? " hole" : " holes");
-  text << ", " << grouped(s.shared_edges) << " shared edges, " << grouped(s.corner_vertices) << " corners, ";
-  text << (s.closed() ? "closed" : grouped(s.open_edges) + " open edges") << "\n";
+  text << io::grouped(s.points) << " points in " << io::grouped(s.sets)
+       << " sets: " << io::grouped(s.polygons) << (s.polygons == 1 ? " polygon" : " polygons");
+  if (s.holes > 0) text << " with " << io::grouped(s.holes) << (s.holes == 1 ? " hole" : " holes");
+  text << ", " << io::grouped(s.shared_edges) << " shared edges, " << io::grouped(s.corner_vertices)
+       << " corners, ";
+  text << (s.closed() ? "closed" : io::grouped(s.open_edges) + " open edges") << "\n";
   if (!s.open_because.empty()) {
     text << "open because:";
     for (const auto& [refusal, count] : s.open_because)
-      text << (refusal == s.open_because.begin()->first ? " " : ", ") << grouped(count) << " "
+      text << (refusal == s.open_because.begin()->first ? " " : ", ") << io::grouped(count) << " "
            << words(refusal);
     text << "\n";
   }
   if (s.redundant_by_count + s.redundant_by_position > 0) {
-    text << "redundant segments deleted: " << grouped(s.redundant_by_count) << " by their points, "
-         << grouped(s.redundant_by_position) << " by position\n";
+    text << "redundant segments deleted: " << io::grouped(s.redundant_by_count) << " by their points, "
+         << io::grouped(s.redundant_by_position) << " by position\n";
   }
   if (s.loose + s.refused + s.expired > 0) {
-    text << "in no polygon: " << grouped(s.loose) << " points loose, " << grouped(s.expired)
-         << " given up as outliers; " << grouped(s.refused) << " records were no point\n";
+    text << "in no polygon: " << io::grouped(s.loose) << " points loose, " << io::grouped(s.expired)
+         << " given up as outliers; " << io::grouped(s.refused) << " records were no point\n";
   }
   char line[160];
-  std::snprintf(line, sizeof line, "resolution %.4g, noise %s, tolerance %.4g; %.2f s, %s points/s, %s MB\n",
-                s.resolution, short_text(s.noise).c_str(), s.tolerance, s.seconds,
-                grouped(s.seconds > 0 ? std::llround(static_cast<double>(s.points) / s.seconds) : 0).c_str(),
-                grouped(peak_memory_bytes() / 1'000'000).c_str());
+  std::snprintf(
+      line, sizeof line, "resolution %.4g, noise %s, tolerance %.4g; %.2f s, %s points/s, %s MB\n",
+      s.resolution, short_text(s.noise).c_str(), s.tolerance, s.seconds,
+      io::grouped(s.seconds > 0 ? std::llround(static_cast<double>(s.points) / s.seconds) : 0).c_str(),
+      io::grouped(peak_memory_bytes() / 1'000'000).c_str());
   text << line;
   text << (s.violations == 0 ? "the oracle finds nothing broken\n"
-                             : "the oracle finds " + grouped(s.violations) + " broken laws\n");
+                             : "the oracle finds " + io::grouped(s.violations) + " broken laws\n");
   return text.str();
 }
 

@@ -32,15 +32,16 @@ struct Summary {
   std::int64_t violations = 0;  ///< the oracle's count
   double seconds = 0;           ///< reading and modelling; neither the oracle nor writing
   double resolution = 0, tolerance = 0;
-  NoiseArgument noise;
-  bool axes_guessed = false;  ///< the scan said none: oriented by neighbour consistency
+  survey::NoiseLaw noise;
+  bool axes_guessed = false;  ///< the scan says no axes: they were found by neighbour consistency
   bool interrupted = false;
   std::string damage;  ///< of the scan, after the last point
 
   bool closed() const { return polygons > 0 && open_edges == 0; }
 };
 
-/// Counts what is in the model; the rest is the caller's to fill in.
+/// The counts of what is in the model; what only the run knows (damage, seconds, violations) is left to the
+/// caller.
 Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEdge> open_edges);
 
 /// One JSON object, indented.

@@ -120,6 +120,8 @@ void read_header(Reader& reader, Document& document) {
   reader.take("noise", document.noise);
   reader.take("tolerance", document.tolerance);
   if (reader.keyword() == "growth") reader.take("growth", document.growth, document.growth2);
+  if (reader.keyword() == "quantum") reader.take("quantum", document.quantum);
+  if (reader.keyword() == "patience") reader.take("patience", document.patience);
   if (reader.keyword() == "neighbours")
     reader.take("neighbours", document.neighbours, document.redundancy_count, document.redundancy_ratio);
   reader.take("grid", document.step);

@@ -61,6 +61,8 @@ struct Polygon : Segment {
 struct Document {
   double resolution = 0, angle = 0, noise = 0, tolerance = 0, step = 0;
   double growth = 0, growth2 = 0;                         ///< of the noise with the range and with its square
+  double quantum = 0;                                     ///< to which the scan's coordinates are rounded
+  std::uint64_t patience = 1'000'000;                     ///< sensor points after which outliers are given up
   std::uint64_t neighbours = 1;                           ///< 1: shared edges are formed, 0: they are not
   double redundancy_count = 20, redundancy_ratio = 0.05;  ///< ψ and φ (thesis §2.9)
   Arithmetic arithmetic = Arithmetic::kExact;

@@ -51,7 +51,8 @@ void judge_finite(const Document& document, Report& report) {
   const char* law = "finite";
   const char* what = "a number is not finite";
   if (!are_finite({document.resolution, document.angle, document.noise, document.tolerance, document.step,
-                   document.growth, document.growth2, document.redundancy_count, document.redundancy_ratio}))
+                   document.growth, document.growth2, document.quantum, document.redundancy_count,
+                   document.redundancy_ratio}))
     report.add(law, "header", what);
   for (const Segment& segment : document.point_segments)
     if (!is_finite(segment)) report.add(law, segment_name(segment), what);
@@ -69,6 +70,7 @@ void judge_parameters(const Document& document, Report& report) {
   demand_not(document.noise < 0, "noise is below 0");
   demand_not(document.tolerance < 0, "tolerance is below 0");
   demand_not(document.growth < 0 || document.growth2 < 0, "the noise shrinks with the range");
+  demand_not(document.quantum < 0, "the input quantum is below 0");
   demand_not(document.neighbours > 1, "neighbours are formed (1) or not (0)");
   demand_not(document.redundancy_count < 0 || document.redundancy_ratio < 0, "psi or phi is below 0");
   int exponent = 0;

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/evaluation/judgement.hpp>
+#include <limpet/evaluation/planar_face.hpp>
 #include <limpet/io/mesh_writer.hpp>
-#include <limpet/simulation/judgement.hpp>
-#include <limpet/simulation/planar_face.hpp>
 
 #include "contestants.hpp"
 #include "floor.hpp"
@@ -46,11 +46,11 @@ void judge(const ScanCase& scan_case, const std::string& path, const model::Mode
   for (auto some = reader.next(4096); !some.empty(); some = reader.next(4096))
     labelled.insert(labelled.end(), some.begin(), some.end());
   const auto report =
-      simulation::judge_faces(simulation::planar_faces(record), scan_case.scene.mesh, labelled,
+      evaluation::judge_faces(evaluation::planar_faces(record), scan_case.scene.mesh, labelled,
                               {.resolution = scan_case.resolution, .noise = scan_case.noise});
   int right = 0, extra = 0;
   for (const auto& f : report.faces)
-    right += f.counts && f.fate == simulation::Fate::represented && f.model_holes == f.true_holes;
+    right += f.counts && f.fate == evaluation::Fate::represented && f.model_holes == f.true_holes;
   for (const auto& p : report.polygons)
     extra += p.extra && (p.face < 0 || report.faces[static_cast<std::size_t>(p.face)].counts);
   answer["faces_counted"] = report.counted;

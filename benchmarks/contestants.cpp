@@ -3,13 +3,13 @@
 
 #include <map>
 
-#include <limpet/simulation/judgement.hpp>
+#include <limpet/evaluation/judgement.hpp>
 
 namespace limpet::benchmarks {
 
 RightFaces faces_right_by_points(const ScanCase& scan_case, const std::vector<int>& face,
                                  const std::vector<int>& plane) {
-  const simulation::JudgeOptions options;
+  const evaluation::JudgeOptions options;
   const double lambda2 = scan_case.resolution * scan_case.resolution;
   std::vector<std::int64_t> on_face(scan_case.faces.size());
   std::map<int, std::int64_t> on_plane;

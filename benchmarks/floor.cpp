@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include "floor.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -11,7 +12,20 @@ namespace limpet::benchmarks {
 
 using Eigen::Vector3d;
 
-Floor::Floor(const model::ModelRecord& record) : resolution_(record.resolution), step_(record.grid_step) {
+namespace {
+
+void add_to(model::MomentsRecord& moments, const std::array<std::int64_t, 3>& at) {
+  const model::Int128 x = at[0], y = at[1], z = at[2];
+  ++moments.count;
+  moments.sum[0] += x, moments.sum[1] += y, moments.sum[2] += z;
+  moments.product[0] += x * x, moments.product[1] += x * y, moments.product[2] += x * z;
+  moments.product[3] += y * y, moments.product[4] += y * z, moments.product[5] += z * z;
+}
+
+}  // namespace
+
+Floor::Floor(const model::ModelRecord& record)
+    : resolution_(record.parameters.resolution), step_(record.grid_step) {
   geometry::EdgeIds ids;
   for (const auto& s : record.polygon_segments) {
     Frozen f;
@@ -56,10 +70,10 @@ bool Floor::add(const model::SensorPoint& reading) {
   if (!best) return false;
   const auto q = geometry::round_to_grid(best->chart.project(p));
   const bool inside = best->polygon.locate(q) != geometry::Polygon::Side::outside;
-  model::GridPoint at{};
+  std::array<std::int64_t, 3> at{};
   for (int i = 0; i < 3; ++i)
     at[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(std::floor(p[i] / step_ + 0.5));
-  best->moments.add(at);
+  add_to(best->moments, at);
   return inside;
 }
 

@@ -10,7 +10,6 @@
 
 #include <limpet/geometry/chart.hpp>
 #include <limpet/geometry/polygon.hpp>
-#include <limpet/model/moments_internal.hpp>
 #include <limpet/model/record.hpp>
 #include <limpet/model/sensor_point.hpp>
 
@@ -30,7 +29,7 @@ class Floor {
     geometry::Chart chart;
     geometry::Plane plane;
     geometry::Polygon polygon;
-    model::Moments moments;
+    model::MomentsRecord moments;
   };
   using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
   using Entry = std::pair<boost::geometry::model::box<Corner>, std::uint32_t>;

@@ -1,16 +1,16 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <Eigen/Geometry>
 
-#include <limpet/simulation/judgement.hpp>
-#include <limpet/simulation/region.hpp>
+#include <limpet/evaluation/judgement.hpp>
+#include <limpet/evaluation/region.hpp>
 
 #include "sections.hpp"
 
 namespace limpet::benchmarks {
 namespace {
 
+using evaluation::PlanarFace;
 using simulation::Mesh;
-using simulation::PlanarFace;
 
 /// One by one, since a mesh of any origin need not have faces with proper boundaries.
 std::vector<PlanarFace> triangles_of(const Mesh& mesh) {
@@ -24,10 +24,10 @@ std::vector<PlanarFace> triangles_of(const Mesh& mesh) {
   return triangles;
 }
 
-double area_on(const std::vector<simulation::Region>& triangles, const std::vector<simulation::Region>& truth,
+double area_on(const std::vector<evaluation::Region>& triangles, const std::vector<evaluation::Region>& truth,
                double reach) {
   const std::vector<int> faces =
-      simulation::matches(triangles, truth, reach, simulation::JudgeOptions{}.max_angle_rad);
+      evaluation::matches(triangles, truth, reach, evaluation::JudgeOptions{}.max_angle_rad);
   double area = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (faces[t] >= 0) area += triangles[t].area;
@@ -36,10 +36,10 @@ double area_on(const std::vector<simulation::Region>& triangles, const std::vect
 
 /// All but a hundredth of what lies on true faces faces their way.
 bool faces_as_truth(std::vector<PlanarFace> triangles, const Mesh& truth, double reach) {
-  const auto true_faces = simulation::regions(simulation::planar_faces(truth));
-  const double right = area_on(simulation::regions(triangles), true_faces, reach);
+  const auto true_faces = evaluation::regions(evaluation::planar_faces(truth));
+  const double right = area_on(evaluation::regions(triangles), true_faces, reach);
   for (PlanarFace& t : triangles) t.normal = -t.normal;
-  const double turned = area_on(simulation::regions(triangles), true_faces, reach);
+  const double turned = area_on(evaluation::regions(triangles), true_faces, reach);
   return 99 * turned < right;
 }
 
@@ -52,7 +52,7 @@ Json answer_judgement(const Json& request) {
   const Mesh mesh = simulation::load_mesh(request.at("mesh"), simulation::kPlanarity, true);
   const std::vector<PlanarFace> triangles = triangles_of(mesh);
   const simulation::EdgeCounts edges = simulation::count_edges(mesh);
-  const auto comparison = simulation::compare(triangles, truth);
+  const auto comparison = evaluation::compare(triangles, truth);
   const bool has_volume = edges.open == 0 && simulation::count_edges(truth).open == 0;
   const bool outward = has_volume ? edges.crowded == 0 && simulation::signed_volume(mesh) > 0
                                   : faces_as_truth(triangles, truth, lambda);

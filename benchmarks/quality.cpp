@@ -24,15 +24,15 @@
 
 #include <limpet/audit/document.hpp>
 #include <limpet/audit/laws.hpp>
+#include <limpet/evaluation/judgement.hpp>
+#include <limpet/evaluation/nearest.hpp>
+#include <limpet/evaluation/planar_face.hpp>
+#include <limpet/evaluation/topology.hpp>
 #include <limpet/io/native.hpp>
 #include <limpet/model/model.hpp>
-#include <limpet/simulation/judgement.hpp>
-#include <limpet/simulation/nearest.hpp>
-#include <limpet/simulation/planar_face.hpp>
 #include <limpet/simulation/scan.hpp>
 #include <limpet/simulation/scene.hpp>
 #include <limpet/simulation/shapes.hpp>
-#include <limpet/simulation/topology.hpp>
 
 #include "scan_case.hpp"
 
@@ -86,16 +86,16 @@ std::size_t count_violations(const model::ModelRecord& record, std::string& what
   return violations.size();
 }
 
-simulation::NearestSurface nearest_to(const simulation::Mesh& mesh) {
-  std::vector<simulation::Triangle3> triangles;
-  for (const auto& face : simulation::planar_faces(mesh))
-    for (const auto& triangle : simulation::triangulated(face)) triangles.push_back(triangle);
-  return simulation::NearestSurface(triangles);
+evaluation::NearestSurface nearest_to(const simulation::Mesh& mesh) {
+  std::vector<evaluation::Triangle3> triangles;
+  for (const auto& face : evaluation::planar_faces(mesh))
+    for (const auto& triangle : evaluation::triangulated(face)) triangles.push_back(triangle);
+  return evaluation::NearestSurface(triangles);
 }
 
 /// What refused the open edges of each face a neighbour: "face 3 beside 5: bay 7; ".
 std::string refusals(const model::Model& model, const model::ModelRecord& record,
-                     const simulation::FacesReport& report) {
+                     const evaluation::FacesReport& report) {
   std::map<std::uint64_t, int> face_of;
   for (std::size_t i = 0; i < record.polygon_segments.size(); ++i)
     face_of[record.polygon_segments[i].id] = report.polygons[i].face;
@@ -178,11 +178,11 @@ Run run(const Arguments& args, const Case& c, int seed) {
     io::write_native(file, record);
   }
 
-  auto faces = simulation::planar_faces(record);
+  auto faces = evaluation::planar_faces(record);
   for (auto& f : faces)
     for (auto& cycle : f.cycles)
       for (auto& v : cycle) v = (v - shift) / args.scale;
-  const auto report = simulation::judge_faces(
+  const auto report = evaluation::judge_faces(
       faces, scene.mesh, labelled, {.resolution = c.resolution, .noise = c.noise, .min_width = c.min_width});
   r.points = points.size();
   r.polygons = faces.size();
@@ -202,7 +202,7 @@ Run run(const Arguments& args, const Case& c, int seed) {
   }
   r.overshoot = report.max_overshoot / c.resolution;
   r.shortfall = report.max_shortfall / c.resolution;
-  const auto topology = simulation::judge_topology(record, scene.mesh, report);
+  const auto topology = evaluation::judge_topology(record, scene.mesh, report);
   r.closed = topology.closed, r.isomorphic = topology.isomorphic;
   r.true_shared = topology.true_shared, r.shared = topology.shared, r.false_shared = topology.false_shared;
   r.vertex_distance = topology.vertex_distance / c.resolution;
@@ -210,7 +210,7 @@ Run run(const Arguments& args, const Case& c, int seed) {
   const auto labels = model.labels();
   std::map<std::uint64_t, bool> is_polygon;
   for (const auto& p : record.polygon_segments) is_polygon[p.id] = true;
-  const simulation::NearestSurface surface = nearest_to(scene.mesh);
+  const evaluation::NearestSurface surface = nearest_to(scene.mesh);
   std::int64_t on_faces = 0, loose = 0, outliers = 0, kept_out = 0, far = 0, far_kept_out = 0;
   for (std::size_t i = 0; i < labelled.size(); ++i) {
     const bool in_polygon = is_polygon.count(labels[i].value) > 0;
@@ -225,7 +225,7 @@ Run run(const Arguments& args, const Case& c, int seed) {
   r.outliers_kept_out = outliers ? static_cast<double>(kept_out) / static_cast<double>(outliers) : 1;
   r.far_outliers_kept_out = far ? static_cast<double>(far_kept_out) / static_cast<double>(far) : 1;
   if (!r.right)
-    for (const auto& fault : simulation::faults(report, faces)) r.faults += fault + "; ";
+    for (const auto& fault : evaluation::faults(report, faces)) r.faults += fault + "; ";
   return r;
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <limpet/simulation/judgement.hpp>
-#include <limpet/simulation/planar_face.hpp>
-#include <limpet/simulation/topology.hpp>
+#include <limpet/evaluation/judgement.hpp>
+#include <limpet/evaluation/planar_face.hpp>
+#include <limpet/evaluation/topology.hpp>
 
 #include "sections.hpp"
 
@@ -46,9 +46,9 @@ Outcome outcome_of(const ScanCase& scan_case, const std::string& rules, double p
   const auto record = model.record();
   const auto counts = model.counts();
   const auto report =
-      simulation::judge_faces(simulation::planar_faces(record), scan_case.scene.mesh, labelled,
+      evaluation::judge_faces(evaluation::planar_faces(record), scan_case.scene.mesh, labelled,
                               {.resolution = scan_case.resolution, .noise = scan_case.noise});
-  const auto topology = simulation::judge_topology(record, scan_case.scene.mesh, report);
+  const auto topology = evaluation::judge_topology(record, scan_case.scene.mesh, report);
   return {counts.points,
           counts.redundant_by_count,
           counts.redundant_by_position,

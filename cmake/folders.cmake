@@ -9,6 +9,10 @@ function(limpet_export_headers target folder)
   file(CREATE_LINK ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../${folder} ${root}/limpet/${folder} SYMBOLIC)
   target_include_directories(${target} INTERFACE
     $<BUILD_INTERFACE:${root}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  # What the headers need of whoever includes them: the language, and that a*b + c stays two rounded operations in
+  # their inline functions, without which the same input would not give the same bytes.
+  target_compile_features(${target} INTERFACE cxx_std_20)
+  target_compile_options(${target} INTERFACE -ffp-contract=off)
 endfunction()
 
 function(limpet_folder name)

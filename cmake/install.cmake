@@ -1,17 +1,17 @@
 # What `make install` leaves behind: the program, the libraries with their headers, and a package for
-# find_package(limpet), which gives limpet::model, limpet::io and the others. Only the exact build of geometry/ is
+# find_package(limpet), which gives limpet::model, limpet::survey and the others. Only the exact build of geometry/ is
 # installed, so limpet::model brings it along.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/limpet)
 
-set(folders audit geometry_exact geometry_headers model io kinematics simulation following)
+set(folders audit geometry_exact geometry_headers model io survey kinematics following simulation evaluation drawing)
 foreach(folder ${folders})
   set_target_properties(limpet_${folder} PROPERTIES EXPORT_NAME ${folder})
   install(TARGETS limpet_${folder} EXPORT limpet ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endforeach()
 set_target_properties(limpet_geometry_exact PROPERTIES EXPORT_NAME geometry)
 
-foreach(folder audit geometry model io simulation)
+foreach(folder audit geometry model io survey simulation evaluation drawing)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/limpet/${folder}
     FILES_MATCHING PATTERN "*.hpp" PATTERN "*_internal.hpp" EXCLUDE)
 endforeach()

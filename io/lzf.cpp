@@ -6,7 +6,7 @@ namespace limpet::io {
 
 std::vector<char> unpack_lzf(std::string_view packed, std::size_t limit) {
   std::vector<char> bytes;
-  // The best a packed byte can do is a third of 264 bytes; the count a header gives may be a lie.
+  // A packed byte stands for at most a third of 264 bytes; the size that a header promises may be false.
   bytes.reserve(std::min(limit, packed.size() * 88 + 264));
   std::size_t at = 0;
   const auto left = [&] { return packed.size() - at; };

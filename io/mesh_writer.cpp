@@ -7,6 +7,7 @@
 #include <limpet/io/mesh_writer.hpp>
 #include <limpet/io/native.hpp>
 #include <limpet/io/output_file.hpp>
+#include <limpet/io/ply_header.hpp>
 #include <limpet/io/polygon_mesh.hpp>
 #include <limpet/io/text.hpp>
 #include <map>
@@ -115,12 +116,17 @@ std::string off_text(const Mesh& mesh) {
 }
 
 std::string ply_text(const Mesh& mesh) {
-  std::string text = "ply\nformat ascii 1.0\nelement vertex ";
-  append_count(text, mesh.n_vertices());
-  text += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
-  append_count(text, mesh.n_faces());
-  text += "\nproperty list int int vertex_indices\n";
-  text += "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+  PlyElement vertex, face;
+  vertex.name = "vertex";
+  vertex.count = static_cast<std::int64_t>(mesh.n_vertices());
+  for (const char* name : {"x", "y", "z"}) vertex.properties.push_back({name, NumberType::kDouble});
+  face.name = "face";
+  face.count = static_cast<std::int64_t>(mesh.n_faces());
+  face.properties.push_back({"vertex_indices", NumberType::kInt32, true, NumberType::kInt32});
+  for (const char* name : {"red", "green", "blue"}) face.properties.push_back({name, NumberType::kUint8});
+  PlyHeader header;
+  header.elements = {std::move(vertex), std::move(face)};
+  std::string text = ply_header_text(header);
   append_body(text, mesh);
   return text;
 }
@@ -189,7 +195,7 @@ bool is_mesh_extension(const std::string& extension) {
 void save_mesh(const std::string& path, const model::ModelRecord& model) {
   const std::string extension = extension_of(path);
   if (!is_mesh_extension(extension)) throw std::invalid_argument(path + ": not the name of a mesh file");
-  const double reach = std::max(model.resolution, 8 * model.grid_step);
+  const double reach = std::max(model.parameters.resolution, 8 * model.grid_step);
   const Mesh mesh = build(make_mesh(lift(model), reach, extension == "stl"));
   if (extension == "off") save_bytes(path, off_text(mesh));
   if (extension == "ply") save_bytes(path, ply_text(mesh));

@@ -10,10 +10,10 @@ namespace limpet::io {
 bool is_mesh_extension(const std::string& extension);
 
 /// Writes the polygon segments as a mesh, in the format of `path`'s extension; point segments have no place
-/// in it. Coordinates are whole doubles, except in STL, whose format has floats. Faces: polygons; those with
-/// holes are triangulated, in STL all are. OFF and PLY carry a colour per segment, OBJ does so by a .mtl file
-/// beside it. What a manifold mesh cannot hold (an edge of three faces) is written over vertices of its own.
-/// Errors: OutputError; std::invalid_argument for another extension.
+/// in it. Coordinates read back as the same doubles, except from STL, whose format has floats. Faces:
+/// polygons; those with holes are triangulated, in STL all are. OFF and PLY carry a colour per segment, OBJ
+/// does so by a .mtl file beside it. What a manifold mesh cannot hold (an edge of three faces) is written
+/// over vertices of its own. Errors: OutputError; std::invalid_argument for another extension.
 void save_mesh(const std::string& path, const model::ModelRecord& model);
 
 /// Writes a model in the format of the extension: limpet (native), or a mesh.

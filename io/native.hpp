@@ -8,8 +8,8 @@
 namespace limpet::io {
 
 /// Writes the native model file (docs/native_format.md). Lossless: what is read back is the same to the bit,
-/// and writing that gives the same bytes. Preconditions: arithmetic and rules are not empty and hold no
-/// blanks (std::invalid_argument otherwise); every number is finite (not judged here, but refused when read).
+/// and writing that gives the same bytes. Preconditions: the arithmetic is not empty and holds no blanks
+/// (std::invalid_argument otherwise); every number is finite (not judged here, but refused when read).
 void write_native(std::ostream& stream, const model::ModelRecord& model);
 
 /// Reads a native model file from the stream's position to its end. `name` stands for the file in messages.

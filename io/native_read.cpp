@@ -2,112 +2,16 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
-#include <istream>
 #include <limits>
-#include <limpet/io/error.hpp>
 #include <limpet/io/native.hpp>
-#include <limpet/io/text.hpp>
+#include <limpet/io/native_fields_internal.hpp>
+#include <stdexcept>
 #include <utility>
 
 namespace limpet::io {
 namespace {
 
-/// Lines of a native file, taken apart field by field. Counts are promises, never reasons to allocate: every
-/// record is pushed as its line is read, so a lying count ends at the end of the file.
-class Fields {
- public:
-  Fields(std::istream& stream, const std::string& name) : stream_(stream), name_(name) {}
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(name_ + ": line " + std::to_string(line_) + ": " + what + "; see docs/native_format.md");
-  }
-
-  /// Goes to the next line that is no comment.
-  void line() {
-    if (std::exchange(kept_, false)) return;
-    do {
-      ++line_;
-      if (!std::getline(stream_, text_)) fail("the file ends before its 'end' line (truncated?)");
-      if (stream_.eof()) fail("the file ends within a line (truncated?)");
-    } while (text_.starts_with('#'));
-    rest_ = text_;
-    ended_ = false;
-  }
-
-  /// The next line that is no comment begins with this word; otherwise it is kept for line().
-  bool optional_line(std::string_view word) {
-    line();
-    if (rest_.substr(0, rest_.find(' ')) == word) return field(), true;
-    kept_ = true;
-    return false;
-  }
-
-  void line(std::string_view word) {
-    line();
-    const std::string_view found = field();
-    if (found != word) fail("expected '" + std::string(word) + "', found " + in_quotes(found));
-  }
-
-  std::string_view field() {
-    if (ended_) fail("a field is missing");
-    const auto space = rest_.find(' ');
-    const std::string_view token = rest_.substr(0, space);
-    ended_ = space == std::string_view::npos;
-    rest_.remove_prefix(ended_ ? rest_.size() : space + 1);
-    return token;
-  }
-
-  void done() const {
-    if (!ended_) fail("more fields than the format has: " + in_quotes(rest_));
-  }
-
-  double real() {
-    const std::string_view token = field();
-    double value = 0;
-    if (!parse_double(token, value) || token.starts_with('+')) fail(in_quotes(token) + " is not a number");
-    if (!std::isfinite(value)) fail(in_quotes(token) + " is not a finite number");
-    return value;
-  }
-
-  Eigen::Vector3d vector() {
-    const double x = real(), y = real(), z = real();
-    return {x, y, z};
-  }
-
-  template <class Integer>
-  Integer integer() {
-    const std::string_view token = field();
-    Integer value = 0;
-    if (!parse_integer(token, value)) fail(in_quotes(token) + " is not a whole number that fits here");
-    return value;
-  }
-
-  std::int64_t count() {
-    const auto value = integer<std::int64_t>();
-    if (value < 0) fail("a count is negative");
-    return value;
-  }
-
-  std::string word() {
-    const std::string_view token = field();
-    if (token.empty()) fail("a word is missing");
-    return std::string(token);
-  }
-
-  void nothing_more() {
-    ++line_;
-    if (stream_.peek() != std::istream::traits_type::eof()) fail("something follows 'end'");
-  }
-
- private:
-  std::istream& stream_;
-  const std::string& name_;
-  long line_ = 0;
-  std::string text_;
-  std::string_view rest_;
-  bool ended_ = true;
-  bool kept_ = false;
-};
+using internal::Fields;
 
 double single(Fields& in, std::string_view word) {
   in.line(word);
@@ -197,7 +101,7 @@ model::PolygonSegmentRecord read_polygon(Fields& in) {
   return segment;
 }
 
-void read_head(Fields& in, model::ModelRecord& model) {
+void read_version(Fields& in) {
   in.line("limpet");
   if (const std::string version = in.word(); version == "checkpoint") {
     in.fail("this is the checkpoint of a run, not a model; 'limpet model' goes on from it with --resume");
@@ -205,37 +109,75 @@ void read_head(Fields& in, model::ModelRecord& model) {
     in.fail("version " + in_quotes(version) + " of the format is not known (this program reads version 1)");
   }
   in.done();
-  model.resolution = single(in, "resolution");
-  model.angle_rad = single(in, "angle");
-  model.noise = single(in, "noise");
-  model.tolerance = single(in, "tolerance");
+}
+
+/// The parameters except the rules, which come later. Those that the file leaves out keep their usual values.
+void read_parameters(Fields& in, model::Parameters& p) {
+  p.resolution = single(in, "resolution");
+  p.angle_rad = single(in, "angle");
+  p.noise = single(in, "noise");
+  p.tolerance = single(in, "tolerance");
   if (in.optional_line("growth")) {
-    model.noise_per_range = in.real();
-    model.noise_per_range2 = in.real();
+    p.noise_per_range = in.real();
+    p.noise_per_range2 = in.real();
+    in.done();
+  }
+  if (in.optional_line("quantum")) {
+    p.input_quantum = in.real();
+    in.done();
+  }
+  if (in.optional_line("patience")) {
+    p.outlier_patience = in.count();
     in.done();
   }
   if (in.optional_line("neighbours")) {
     const std::int64_t formed = in.count();
     if (formed > 1) in.fail("neighbours are formed (1) or not (0)");
-    model.neighbours = formed == 1;
-    model.redundancy_count = in.real();
-    model.redundancy_ratio = in.real();
+    p.neighbours = formed == 1;
+    p.redundancy_count = in.real();
+    p.redundancy_ratio = in.real();
     in.done();
   }
-  model.grid_step = single(in, "grid");
+}
+
+double read_grid(Fields& in) {
+  const double step = single(in, "grid");
   int exponent = 0;
-  if (!(model.grid_step > 0) || std::frexp(model.grid_step, &exponent) != 0.5) {
-    in.fail("the grid step is not a power of two");
-  }
+  if (!(step > 0) || std::frexp(step, &exponent) != 0.5) in.fail("the grid step is not a power of two");
+  return step;
+}
+
+std::string read_arithmetic(Fields& in) {
   in.line("arithmetic");
-  model.arithmetic = in.word();
+  const std::string arithmetic = in.word();
   in.done();
-  if (model.arithmetic != "exact" && model.arithmetic != "float-grid" && model.arithmetic != "float") {
-    in.fail("the arithmetic " + in_quotes(model.arithmetic) + " is not one of exact, float-grid, float");
+  if (arithmetic != "exact" && arithmetic != "float-grid" && arithmetic != "float") {
+    in.fail("the arithmetic " + in_quotes(arithmetic) + " is not one of exact, float-grid, float");
   }
+  return arithmetic;
+}
+
+/// The names have to be in the order in which they are written, so that a file reads and writes back to the
+/// same bytes.
+model::Rules read_rules(Fields& in) {
   in.line("rules");
-  model.rules = in.word();
+  const std::string names = in.word();
   in.done();
+  try {
+    const model::Rules rules = model::Rules::parse(names);
+    if (rules.to_string() == names) return rules;
+  } catch (const std::invalid_argument&) {
+    in.fail("the rules " + in_quotes(names) + " are not all known to this program");
+  }
+  in.fail("the rules " + in_quotes(names) + " are not in the order in which a model file names them");
+}
+
+void read_head(Fields& in, model::ModelRecord& model) {
+  read_version(in);
+  read_parameters(in, model.parameters);
+  model.grid_step = read_grid(in);
+  model.arithmetic = read_arithmetic(in);
+  model.parameters.rules = read_rules(in);
   in.line("counts");
   model.points = in.count();
   model.refused = in.count();

@@ -10,7 +10,7 @@ namespace limpet::io {
 namespace {
 
 constexpr std::size_t kFlushBytes = 1 << 20;
-const model::ModelRecord kDefaults;
+const model::Parameters kUsual;  ///< the lines of a file that would say these are left out
 
 /// One line: a word, then fields. Ends itself.
 class Line {
@@ -89,19 +89,21 @@ void write_segment(std::string& text, const model::PolygonSegmentRecord& segment
 
 void write_head(std::string& text, const model::ModelRecord& model) {
   text += "limpet 1\n";
-  Line(text, "resolution") << model.resolution;
-  Line(text, "angle") << model.angle_rad;
-  Line(text, "noise") << model.noise;
-  Line(text, "tolerance") << model.tolerance;
-  if (model.noise_per_range > 0 || model.noise_per_range2 > 0)
-    Line(text, "growth") << model.noise_per_range << model.noise_per_range2;
-  if (!model.neighbours || model.redundancy_count != kDefaults.redundancy_count ||
-      model.redundancy_ratio != kDefaults.redundancy_ratio)
-    Line(text, "neighbours") << std::int64_t{model.neighbours} << model.redundancy_count
-                             << model.redundancy_ratio;
+  const model::Parameters& p = model.parameters;
+  Line(text, "resolution") << p.resolution;
+  Line(text, "angle") << p.angle_rad;
+  Line(text, "noise") << p.noise;
+  Line(text, "tolerance") << p.tolerance;
+  if (p.noise_per_range > 0 || p.noise_per_range2 > 0)
+    Line(text, "growth") << p.noise_per_range << p.noise_per_range2;
+  if (p.input_quantum != kUsual.input_quantum) Line(text, "quantum") << p.input_quantum;
+  if (p.outlier_patience != kUsual.outlier_patience) Line(text, "patience") << p.outlier_patience;
+  if (!p.neighbours || p.redundancy_count != kUsual.redundancy_count ||
+      p.redundancy_ratio != kUsual.redundancy_ratio)
+    Line(text, "neighbours") << std::int64_t{p.neighbours} << p.redundancy_count << p.redundancy_ratio;
   Line(text, "grid") << model.grid_step;
   text += "arithmetic " + word(model.arithmetic, "arithmetic") + "\n";
-  text += "rules " + word(model.rules, "rules") + "\n";
+  text += "rules " + p.rules.to_string() + "\n";
   Line(text, "counts") << model.points << model.refused << model.expired << model.sets;
   if (model.redundant_by_count + model.redundant_by_position > 0)
     Line(text, "redundant") << model.redundant_by_count << model.redundant_by_position;

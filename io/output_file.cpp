@@ -21,7 +21,8 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-/// The file that a link stands for, there or not: what is written takes its place, and the link stays.
+/// The file that a symbolic link names, whether it exists or not: the output takes its place, and the link
+/// stays.
 std::string followed(const std::string& path) {
   std::filesystem::path target = path;
   std::error_code none;
@@ -60,7 +61,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
   buffer_.reserve(kBufferBytes);
 }
 
-/// Leaves file_ at -1 where there is no such thing.
+/// Opens a file without a name (O_TMPFILE); leaves file_ at -1 where the file system has none.
 void OutputFile::open_unnamed() {
   file_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
   if (file_ < 0 || ::access(name_of(file_).c_str(), F_OK) == 0) return;

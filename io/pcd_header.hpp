@@ -24,7 +24,7 @@ struct PcdHeader {
   std::optional<Eigen::Vector3d> viewpoint;  ///< where the sensor stood; its turn is of no use here
 };
 
-/// Takes the header, up to and with its DATA line. Errors: InputError.
+/// Reads the header, up to its DATA line and with it. Errors: InputError.
 PcdHeader read_pcd_header(ByteSource& source);
 
 }  // namespace limpet::io

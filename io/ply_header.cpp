@@ -1,14 +1,50 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
 #include <array>
 #include <limpet/io/error.hpp>
 #include <limpet/io/ply_header.hpp>
 #include <limpet/io/text.hpp>
+#include <stdexcept>
 #include <utility>
 
 namespace limpet::io {
 namespace {
 
 constexpr std::size_t kMaxProperties = 4096, kMaxElements = 256;
+
+/// The older of two names first: that is the one written.
+constexpr std::array<std::pair<std::string_view, NumberType>, 16> kTypeNames = {{
+    {"char", NumberType::kInt8},
+    {"int8", NumberType::kInt8},
+    {"uchar", NumberType::kUint8},
+    {"uint8", NumberType::kUint8},
+    {"short", NumberType::kInt16},
+    {"int16", NumberType::kInt16},
+    {"ushort", NumberType::kUint16},
+    {"uint16", NumberType::kUint16},
+    {"int", NumberType::kInt32},
+    {"int32", NumberType::kInt32},
+    {"uint", NumberType::kUint32},
+    {"uint32", NumberType::kUint32},
+    {"float", NumberType::kFloat},
+    {"float32", NumberType::kFloat},
+    {"double", NumberType::kDouble},
+    {"float64", NumberType::kDouble},
+}};
+
+constexpr std::array<std::pair<std::string_view, PlyHeader::Encoding>, 3> kEncodingNames = {{
+    {"ascii", PlyHeader::Encoding::kAscii},
+    {"binary_little_endian", PlyHeader::Encoding::kLittleEndian},
+    {"binary_big_endian", PlyHeader::Encoding::kBigEndian},
+}};
+
+template <class Names, class Value>
+std::string name_of(const Names& names, Value value) {
+  for (const auto& [name, known] : names) {
+    if (known == value) return std::string(name);
+  }
+  throw std::invalid_argument("a PLY file has no such type");
+}
 
 std::size_t fixed_size(const PlyElement& element) {
   std::size_t size = 0;
@@ -60,16 +96,13 @@ class HeaderReader {
 
   void read_format() {
     const std::string_view encoding = next_token(rest_);
-    if (encoding == "ascii") {
-      header_.encoding = PlyHeader::Encoding::kAscii;
-    } else if (encoding == "binary_little_endian") {
-      header_.encoding = PlyHeader::Encoding::kLittleEndian;
-    } else if (encoding == "binary_big_endian") {
-      header_.encoding = PlyHeader::Encoding::kBigEndian;
-    } else {
+    const auto known = std::find_if(kEncodingNames.begin(), kEncodingNames.end(),
+                                    [&](const auto& named) { return named.first == encoding; });
+    if (known == kEncodingNames.end()) {
       fail("the encoding " + in_quotes(encoding) +
            " is not one of ascii, binary_little_endian, binary_big_endian");
     }
+    header_.encoding = known->second;
     if (next_token(rest_) != "1.0") fail("only version 1.0 of the PLY format is known");
   }
 
@@ -82,26 +115,8 @@ class HeaderReader {
   }
 
   NumberType read_type() {
-    static constexpr std::array<std::pair<std::string_view, NumberType>, 16> kNames = {{
-        {"char", NumberType::kInt8},
-        {"int8", NumberType::kInt8},
-        {"uchar", NumberType::kUint8},
-        {"uint8", NumberType::kUint8},
-        {"short", NumberType::kInt16},
-        {"int16", NumberType::kInt16},
-        {"ushort", NumberType::kUint16},
-        {"uint16", NumberType::kUint16},
-        {"int", NumberType::kInt32},
-        {"int32", NumberType::kInt32},
-        {"uint", NumberType::kUint32},
-        {"uint32", NumberType::kUint32},
-        {"float", NumberType::kFloat},
-        {"float32", NumberType::kFloat},
-        {"double", NumberType::kDouble},
-        {"float64", NumberType::kDouble},
-    }};
     const std::string_view name = next_token(rest_);
-    for (const auto& [known, type] : kNames) {
+    for (const auto& [known, type] : kTypeNames) {
       if (known == name) return type;
     }
     fail(in_quotes(name) + " is no type of a PLY property");
@@ -136,5 +151,21 @@ class HeaderReader {
 }  // namespace
 
 PlyHeader read_ply_header(ByteSource& source) { return HeaderReader(source).read(); }
+
+std::string ply_header_text(const PlyHeader& header, std::size_t count_width) {
+  std::string text = "ply\nformat " + name_of(kEncodingNames, header.encoding) + " 1.0\n";
+  for (const std::string& comment : header.comments) text += "comment " + comment + "\n";
+  for (const PlyElement& element : header.elements) {
+    const std::string count = std::to_string(element.count);
+    text += "element " + element.name + " " +
+            std::string(count_width - std::min(count_width, count.size()), ' ') + count + "\n";
+    for (const PlyProperty& property : element.properties) {
+      text += "property ";
+      if (property.is_list) text += "list " + name_of(kTypeNames, property.count_type) + " ";
+      text += name_of(kTypeNames, property.type) + " " + property.name + "\n";
+    }
+  }
+  return text + "end_header\n";
+}
 
 }  // namespace limpet::io

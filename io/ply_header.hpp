@@ -25,10 +25,15 @@ struct PlyElement {
 struct PlyHeader {
   enum class Encoding { kAscii, kLittleEndian, kBigEndian };
   Encoding encoding = Encoding::kAscii;
+  std::vector<std::string> comments;  ///< written, one line each; not read
   std::vector<PlyElement> elements;
 };
 
-/// Takes the header, up to and with its "end_header" line. Errors: InputError.
+/// Reads the header, up to its "end_header" line and with it. Errors: InputError.
 PlyHeader read_ply_header(ByteSource& source);
+
+/// A header as text, with "end_header" and its line's end. Counts are written with blanks in front, as wide
+/// as `count_width` at least, so that one can be written over once it is known.
+std::string ply_header_text(const PlyHeader& header, std::size_t count_width = 1);
 
 }  // namespace limpet::io

@@ -34,7 +34,7 @@ std::string listed(const std::vector<std::string>& names) {
   return list;
 }
 
-/// Also where its square is beyond what doubles hold.
+/// The length of a vector, even where its square is beyond what doubles hold.
 double length(const Eigen::Vector3d& v) {
   const double squared = v.dot(v);
   return squared < std::numeric_limits<double>::infinity() ? std::sqrt(squared) : v.stableNorm();

@@ -4,6 +4,7 @@
 #include <limpet/io/binary_number.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/output_file.hpp>
+#include <limpet/io/ply_header.hpp>
 #include <limpet/io/scan_writer.hpp>
 #include <limpet/io/text.hpp>
 #include <stdexcept>
@@ -47,20 +48,21 @@ void append_line(std::string& text, const ScanRecord& record, const ScanWriterOp
 class PlyWriter final : public ScanWriter {
  public:
   PlyWriter(const std::string& path, const ScanWriterOptions& options) : file_(path), options_(options) {
-    std::string header = "ply\nformat ";
-    header += options.ascii ? "ascii" : "binary_little_endian";
-    header += " 1.0\n";
-    if (!options.comment.empty()) header += "comment " + one_line(options.comment) + "\n";
-    header += "element vertex ";
-    count_offset_ = static_cast<std::int64_t>(header.size());
-    header += std::string(kCountDigits - 1, ' ') + "0\n";
-    for (const char* name : {"x", "y", "z"}) header += std::string("property double ") + name + "\n";
+    PlyHeader header;
+    header.encoding = options.ascii ? PlyHeader::Encoding::kAscii : PlyHeader::Encoding::kLittleEndian;
+    if (!options.comment.empty()) header.comments.push_back(one_line(options.comment));
+    PlyElement& vertex = header.elements.emplace_back();
+    vertex.name = "vertex";
+    for (const char* name : {"x", "y", "z"}) vertex.properties.push_back({name, NumberType::kDouble});
     if (options.axes) {
-      for (const char* name : {"ax", "ay", "az"}) header += std::string("property double ") + name + "\n";
+      for (const char* name : {"ax", "ay", "az"}) vertex.properties.push_back({name, NumberType::kDouble});
     }
-    if (options.labels) header += "property int face\n";
-    header += "end_header\n";
-    file_.write(header);
+    if (options.labels) vertex.properties.push_back({"face", NumberType::kInt32});
+    const std::string text = ply_header_text(header, kCountDigits);
+    // The comment is one line, so that no other line begins like this.
+    const std::string before = "\nelement vertex ";
+    count_offset_ = static_cast<std::int64_t>(text.find(before) + before.size());
+    file_.write(text);
   }
 
   void write(const ScanRecord& record) override {

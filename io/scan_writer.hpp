@@ -14,8 +14,9 @@ struct ScanWriterOptions {
   std::string comment;  ///< one line for the header; line ends become blanks
 };
 
-/// Writes a scan as it comes: the number of points need not be known. Nothing is lost: doubles are written
-/// whole. The file gets its name only when close() succeeds; destroyed before, it leaves nothing behind.
+/// Writes a scan as it comes: the number of points need not be known. Nothing is lost: every double reads
+/// back as it was. The file gets its name only when close() succeeds; destroyed before, it leaves nothing
+/// behind.
 class ScanWriter {
  public:
   virtual ~ScanWriter() = default;

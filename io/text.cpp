@@ -81,6 +81,26 @@ void append(std::string& text, model::Int128 value) {
   text.append(begin, buffer + sizeof buffer);
 }
 
+std::string short_text(double number) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, number, std::chars_format::general, 4).ptr;
+  return {text, end};
+}
+
+double short_number(double number) {
+  double value = number;
+  parse_double(short_text(number), value);
+  return value;
+}
+
+std::string grouped(std::int64_t number) {
+  std::string text = std::to_string(number);
+  for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > (number < 0 ? 1 : 0); at -= 3) {
+    text.insert(static_cast<std::size_t>(at), 1, ',');
+  }
+  return text;
+}
+
 std::string_view next_token(std::string_view& rest, bool commas) {
   std::size_t begin = 0;
   while (begin < rest.size() && is_blank(rest[begin], commas)) ++begin;

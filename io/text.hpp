@@ -25,6 +25,13 @@ void append(std::string& text, std::int64_t value);
 void append(std::string& text, std::uint64_t value);
 void append(std::string& text, model::Int128 value);
 
+/// A number for people: up to four significant digits, as printf's %.4g.
+std::string short_text(double number);
+/// The number that short_text() prints, so that what was printed can be typed and means the same.
+double short_number(double number);
+/// "1,234,567"
+std::string grouped(std::int64_t number);
+
 /// Cuts the next token off `rest` (blanks: space, tab, carriage return and, where `commas`, commas and
 /// semicolons); empty at the end of the line.
 std::string_view next_token(std::string_view& rest, bool commas = false);

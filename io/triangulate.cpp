@@ -24,7 +24,10 @@ using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex, Face>,
                                                CGAL::Exact_predicates_tag>;
 
-Triangulation constrain(const std::vector<std::vector<Eigen::Vector2d>>& cycles) {
+using Cycles = std::vector<std::vector<Eigen::Vector2d>>;
+
+/// All vertices first, so that each has its index even where an edge runs through it.
+Triangulation constrain(const Cycles& cycles) {
   Triangulation triangulation;
   int index = 0;
   std::vector<std::pair<Triangulation::Vertex_handle, Triangulation::Vertex_handle>> edges;
@@ -43,6 +46,22 @@ Triangulation constrain(const std::vector<std::vector<Eigen::Vector2d>>& cycles)
   }
   for (const auto& [from, to] : edges) {
     if (from != to) triangulation.insert_constraint(from, to);
+  }
+  return triangulation;
+}
+
+/// Cycle by cycle; of vertices at one place one is left.
+Triangulation constrain_in_turn(const Cycles& cycles) {
+  Triangulation triangulation;
+  for (const auto& cycle : cycles) {
+    Triangulation::Vertex_handle first, last;
+    for (const Eigen::Vector2d& at : cycle) {
+      const auto vertex = triangulation.insert({at.x(), at.y()});
+      if (last != nullptr && last != vertex) triangulation.insert_constraint(last, vertex);
+      if (first == nullptr) first = vertex;
+      last = vertex;
+    }
+    if (last != first) triangulation.insert_constraint(last, first);
   }
   return triangulation;
 }
@@ -66,24 +85,38 @@ void count_crossings(Triangulation& triangulation) {
   }
 }
 
+/// Hands out the faces inside an odd number of cycles.
+template <class Take>
+void for_each_inside(Triangulation triangulation, Take&& take) {
+  if (triangulation.dimension() < 2) return;
+  count_crossings(triangulation);
+  for (const auto face : triangulation.finite_face_handles())
+    if (face->info().crossings % 2 != 0) take(face);
+}
+
 }  // namespace
 
-std::vector<Triangle> triangulate(const std::vector<std::vector<Eigen::Vector2d>>& cycles) {
+std::vector<Triangle> triangulate(const Cycles& cycles) {
   std::vector<Triangle> triangles;
   for (const auto& cycle : cycles) {
     for (const Eigen::Vector2d& at : cycle) {
       if (!at.allFinite()) return triangles;  // a broken model is drawn without its broken polygon
     }
   }
-  Triangulation triangulation = constrain(cycles);
-  if (triangulation.dimension() < 2) return triangles;
-  count_crossings(triangulation);
-  for (const auto face : triangulation.finite_face_handles()) {
-    if (face->info().crossings % 2 == 0) continue;
+  for_each_inside(constrain(cycles), [&](const Triangulation::Face_handle face) {
     const Triangle triangle = {face->vertex(0)->info().index, face->vertex(1)->info().index,
                                face->vertex(2)->info().index};
     if (triangle[0] >= 0 && triangle[1] >= 0 && triangle[2] >= 0) triangles.push_back(triangle);
-  }
+  });
+  return triangles;
+}
+
+std::vector<FlatTriangle> triangulate_crossing(const Cycles& cycles) {
+  std::vector<FlatTriangle> triangles;
+  for_each_inside(constrain_in_turn(cycles), [&](const Triangulation::Face_handle face) {
+    FlatTriangle& triangle = triangles.emplace_back();
+    for (int k = 0; k < 3; ++k) triangle[k] = {face->vertex(k)->point().x(), face->vertex(k)->point().y()};
+  });
   return triangles;
 }
 

@@ -17,4 +17,12 @@ using Triangle = std::array<int, 3>;
 /// is not finite nothing is made.
 std::vector<Triangle> triangulate(const std::vector<std::vector<Eigen::Vector2d>>& cycles);
 
+/// The corners of a triangle in its plane, anticlockwise.
+using FlatTriangle = std::array<Eigen::Vector2d, 3>;
+
+/// The same for cycles that may touch and cross, as those of a polygon to be judged: what lies inside an odd
+/// number of them is covered to its last corner, those where two cycles cross included. Precondition: every
+/// number is finite.
+std::vector<FlatTriangle> triangulate_crossing(const std::vector<std::vector<Eigen::Vector2d>>& cycles);
+
 }  // namespace limpet::io

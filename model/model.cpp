@@ -8,28 +8,9 @@
 #include "would_finish_internal.hpp"
 
 namespace limpet::model {
-namespace {
-
-Parameters parameters_of(const ModelRecord& r) {
-  Parameters p;
-  p.resolution = r.resolution;
-  p.angle_rad = r.angle_rad;
-  p.noise = r.noise;
-  p.noise_per_range = r.noise_per_range;
-  p.noise_per_range2 = r.noise_per_range2;
-  p.tolerance = r.tolerance;
-  p.neighbours = r.neighbours;
-  p.redundancy_count = r.redundancy_count;
-  p.redundancy_ratio = r.redundancy_ratio;
-  p.rules = Rules::parse(r.rules);
-  return p;
-}
-
-}  // namespace
-
 Model::Model(const Parameters& p) : state_(std::make_unique<State>(p)) {}
 
-Model::Model(const ModelRecord& r) : Model(parameters_of(r)) { internal::from_record(state_->engine, r); }
+Model::Model(const ModelRecord& r) : Model(r.parameters) { internal::from_record(state_->engine, r); }
 
 Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;

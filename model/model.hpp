@@ -11,29 +11,12 @@
 #include <limpet/model/changes.hpp>
 #include <limpet/model/open_edges.hpp>
 #include <limpet/model/outcome.hpp>
+#include <limpet/model/parameters.hpp>
 #include <limpet/model/record.hpp>
-#include <limpet/model/rules.hpp>
 #include <limpet/model/sensor_point.hpp>
 #include <limpet/model/stage_times.hpp>
 
 namespace limpet::model {
-
-/// What a model is built to. Lengths in the scan's unit.
-struct Parameters {
-  double resolution = 0.05;                ///< λ: gaps smaller than this are not represented; > 0
-  double angle_rad = 0.17453292519943295;  ///< μ: angles smaller than this are not told apart; in (0, π/2)
-  double noise = 0;                        ///< standard deviation of a reading along its axis; ≥ 0
-  double noise_per_range = 0;   ///< what it grows by with the range; ≥ 0, in scan's unit per scan's unit
-  double noise_per_range2 = 0;  ///< and with the square of the range, as where depth is triangulated; ≥ 0
-  double input_quantum = 0;     ///< the scan's own rounding; ≥ 0
-  double tolerance = 0;         ///< how far from its plane a surface may be; 0: 3 standard deviations
-  std::int64_t outlier_patience = 1'000'000;  ///< sensor points after which a small point segment expires
-  /// ψ and φ: a segment of fewer than ψ points, and of less than the part φ of another's, that finds no edge
-  /// to share with it is redundant (thesis §2.9)
-  double redundancy_count = 20, redundancy_ratio = 0.05;
-  bool neighbours = true;  ///< form shared edges and corner vertices (thesis §2.6, §2.7)
-  Rules rules;
-};
 
 /// A face known beforehand, in the world, scan's unit: cycles with the interior on the left as seen from
 /// outside, the outer one first, then the holes. Flat to within λ.
@@ -55,10 +38,12 @@ struct Counts {
 
 /// An incremental planar polyhedral surface model (thesis chapter 2).
 ///
-///     Model model(Parameters{.resolution = 0.05, .noise = 0.001});
-///     while (auto readings = sense()) model.update(readings);
+///     Model model({.resolution = 0.05, .noise = 0.001});
+///     while (robot.moves()) model.update(robot.sense());
 ///     model.finish();
-///     io::save_model("model.off", model.record());
+///     io::save_mesh("model.off", model.record());
+///
+/// Here `robot` is the user's own; sense() gives the readings of one step, as a std::vector<SensorPoint>.
 ///
 ///  (1) After every call the promise of docs/exactness.md holds: each perimeter is a simple polygon,
 ///      anticlockwise, its holes inside and disjoint; and so do the other laws of audit/laws.cpp;

@@ -107,24 +107,14 @@ std::map<geometry::EdgeId, geometry::EdgeId> partners_in(const ModelRecord& r) {
 }  // namespace
 
 ModelRecord to_record(const Engine& e) {
-  const Parameters& p = e.setting.parameters;
   ModelRecord r;
-  r.resolution = p.resolution;
-  r.angle_rad = p.angle_rad;
-  r.noise = p.noise;
-  r.noise_per_range = p.noise_per_range;
-  r.noise_per_range2 = p.noise_per_range2;
-  r.tolerance = p.tolerance;
+  r.parameters = e.setting.parameters;
   r.grid_step = e.setting.step;
   r.arithmetic = geometry::arithmetic();
-  r.rules = p.rules.to_string();
   r.points = e.complex.now();
   r.refused = e.counts.refused;
   r.expired = e.counts.expired;
   r.sets = e.counts.sets;
-  r.neighbours = p.neighbours;
-  r.redundancy_count = p.redundancy_count;
-  r.redundancy_ratio = p.redundancy_ratio;
   r.redundant_by_count = e.counts.redundant_by_count;
   r.redundant_by_position = e.counts.redundant_by_position;
   r.next_segment = Storage::next_segment(e.complex);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <limpet/model/parameters.hpp>
 #include <string>
 #include <vector>
 
@@ -66,20 +67,13 @@ struct PolygonSegmentRecord {
 
 /// Everything a model is, as plain data: what the native file holds (docs/native_format.md).
 struct ModelRecord {
-  double resolution = 0;  ///< λ, scan's unit
-  double angle_rad = 0;   ///< μ
-  double noise = 0;       ///< standard deviation of a reading along its axis, scan's unit
-  double noise_per_range = 0, noise_per_range2 = 0;  ///< what it grows by with the range and its square
-  double tolerance = 0;      ///< how far a surface may be from its plane, scan's unit; 0: by noise alone
+  Parameters parameters;     ///< what it is built to
   double grid_step = 0;      ///< a power of two, scan's unit
   std::string arithmetic;    ///< "exact", "float-grid" or "float"
-  std::string rules;         ///< names of the update rules in force, comma separated; "thesis": none
   std::int64_t points = 0;   ///< sensor points accepted
   std::int64_t refused = 0;  ///< records that were no point (not finite, zero axis, out of range)
   std::int64_t expired = 0;  ///< outliers given up
   std::int64_t sets = 0;     ///< sets of sensor points processed
-  bool neighbours = true;    ///< shared edges and corner vertices are formed
-  double redundancy_count = 20, redundancy_ratio = 0.05;  ///< ψ and φ (thesis §2.9)
   /// Redundant segments deleted: by ψ and φ, and by position.
   std::int64_t redundant_by_count = 0, redundant_by_position = 0;
   std::uint64_t next_segment = 1, next_edge = 1;       ///< identities not yet used

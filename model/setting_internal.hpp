@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include <limpet/model/model.hpp>
+#include <limpet/model/parameters.hpp>
 
 #include "moments_internal.hpp"
 

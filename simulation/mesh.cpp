@@ -66,7 +66,9 @@ double ear_quality(const std::vector<int>& ring, std::size_t i, const std::vecto
   return twice_area / longest;
 }
 
-/// Cuts a polygon into triangles by clipping its best ear again and again.
+/// Cuts a polygon into triangles by clipping its best ear again and again. Unlike the constrained
+/// triangulation of io/triangulate.hpp this takes polygons whose boundary runs twice along a bridge to a
+/// hole, as mesh files have them.
 void triangulate(const std::vector<int>& polygon, const std::vector<Vector3d>& vertices,
                  std::vector<Triangle>& out) {
   if (polygon.size() == 3) {

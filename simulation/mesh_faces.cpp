@@ -14,8 +14,7 @@ using Eigen::Vector3d;
 using Edge = std::pair<int, int>;  ///< directed
 using Loop = std::vector<Vector3d>;
 
-/// The vertex before each edge's start is not needed: an edge is named by its two vertices, and knows the
-/// third vertex of the face's triangle on its left.
+/// For each directed edge of a face's triangles, the third vertex of the triangle on its left.
 std::map<Edge, int> third_corners(const Mesh& mesh, const std::vector<int>& triangles) {
   std::map<Edge, int> third;
   for (const int t : triangles) {

@@ -12,6 +12,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limpet/io/byte_source.hpp>
+#include <limpet/io/error.hpp>
+#include <limpet/io/ply_header.hpp>
 #include <limpet/simulation/mesh.hpp>
 #include <string_view>
 #include <utility>
@@ -127,26 +130,22 @@ Soup read_obj(std::string_view text) {
   return soup;
 }
 
-/// Little-endian bytes, as STL and most PLY files have them.
+/// Little-endian bytes, as STL has them.
 class Bytes {
  public:
-  Bytes(std::string_view bytes, bool swapped) : rest_(bytes), swapped_(swapped) {}
+  explicit Bytes(std::string_view bytes) : rest_(bytes) {}
 
   template <typename Number>
   Number take() {
     if (rest_.size() < sizeof(Number)) throw MeshError("the file ends too early");
-    char raw[sizeof(Number)];
-    std::memcpy(raw, rest_.data(), sizeof raw);
-    if (swapped_) std::reverse(std::begin(raw), std::end(raw));
-    rest_.remove_prefix(sizeof raw);
     Number value;
-    std::memcpy(&value, raw, sizeof raw);
+    std::memcpy(&value, rest_.data(), sizeof value);
+    rest_.remove_prefix(sizeof value);
     return value;
   }
 
  private:
   std::string_view rest_;
-  bool swapped_;
 };
 
 Soup read_stl(std::string_view data) {
@@ -157,9 +156,9 @@ Soup read_stl(std::string_view data) {
   };
   // Some binary files start with "solid" too, so the size decides.
   std::uint32_t triangles = 0;
-  if (data.size() >= 84) triangles = Bytes(data.substr(80), false).take<std::uint32_t>();
+  if (data.size() >= 84) triangles = Bytes(data.substr(80)).take<std::uint32_t>();
   if (data.size() >= 84 && (data.size() == 84 + 50 * std::size_t{triangles} || !data.starts_with("solid"))) {
-    Bytes bytes(data.substr(84), false);
+    Bytes bytes(data.substr(84));
     for (std::uint32_t t = 0; t < triangles; ++t) {
       for (int k = 0; k < 3; ++k) bytes.take<float>();  // the normal: told by the corners' order as well
       for (int corner = 0; corner < 3; ++corner) {
@@ -183,87 +182,59 @@ Soup read_stl(std::string_view data) {
   return soup;
 }
 
-struct PlyProperty {
-  std::string name, type, list_count_type;  ///< the last one empty: not a list
-};
-struct PlyElement {
-  std::string name;
-  long count = 0;
-  std::vector<PlyProperty> properties;
-};
+/// The numbers of a PLY file's body, whichever way they are written.
+class PlyBody {
+ public:
+  PlyBody(std::string_view body, io::PlyHeader::Encoding encoding)
+      : words_(body), bytes_(body), encoding_(encoding) {}
 
-double ply_binary(Bytes& bytes, const std::string& type) {
-  if (type == "float" || type == "float32") return static_cast<double>(bytes.take<float>());
-  if (type == "double" || type == "float64") return bytes.take<double>();
-  if (type == "char" || type == "int8") return bytes.take<std::int8_t>();
-  if (type == "uchar" || type == "uint8") return bytes.take<std::uint8_t>();
-  if (type == "short" || type == "int16") return bytes.take<std::int16_t>();
-  if (type == "ushort" || type == "uint16") return bytes.take<std::uint16_t>();
-  if (type == "int" || type == "int32") return bytes.take<std::int32_t>();
-  if (type == "uint" || type == "uint32") return bytes.take<std::uint32_t>();
-  throw MeshError("unknown PLY type: " + type);
-}
-
-std::vector<PlyElement> ply_header(Words words, std::string& format) {
-  std::vector<PlyElement> elements;
-  const auto word = [&words] { return std::string(words.next(true)); };
-  for (std::string_view key = words.next(); key != "end_header"; key = words.next()) {
-    if (key.empty()) throw MeshError("the PLY header does not end");
-    if (key == "format") {
-      format = word();
-    } else if (key == "element") {
-      std::string name = word();
-      elements.push_back({std::move(name), count(words.next(true)), {}});
-    } else if (key == "property" && !elements.empty()) {
-      PlyProperty property;
-      property.type = word();
-      if (property.type == "list") {
-        property.list_count_type = word();
-        property.type = word();
-      }
-      property.name = word();
-      elements.back().properties.push_back(std::move(property));
-    }
-    words.skip_line();
+  double next(io::NumberType type) {
+    if (encoding_ == io::PlyHeader::Encoding::kAscii) return number<double>(words_.next());
+    const std::size_t size = io::size_of(type);
+    if (bytes_.size() < size) throw MeshError("the file ends too early");
+    const double value = io::decode(bytes_.data(), type, encoding_ == io::PlyHeader::Encoding::kBigEndian);
+    bytes_.remove_prefix(size);
+    return value;
   }
-  return elements;
-}
 
-Soup read_ply(std::string_view data) {
-  const std::size_t header = data.find("end_header");
-  if (!data.starts_with("ply") || header == std::string_view::npos) throw MeshError("no PLY header");
-  std::string format;
-  const std::vector<PlyElement> elements = ply_header(Words(data), format);
-  const std::string_view body = data.substr(std::min(data.find('\n', header), data.size() - 1) + 1);
-  const bool text = format == "ascii";
-  if (!text && !format.starts_with("binary")) throw MeshError("unknown PLY format: " + format);
-  Words words(body);
-  Bytes bytes(body, format == "binary_big_endian");
-  const auto value = [&](const std::string& type) {
-    return text ? number<double>(words.next()) : ply_binary(bytes, type);
-  };
+  std::vector<int> next_list(const io::PlyProperty& property) {
+    const double length = next(property.count_type);
+    if (!(length >= 0 && length < 1e9)) throw MeshError("no sensible length of a list");
+    std::vector<int> list;
+    for (long k = 0; k < static_cast<long>(length); ++k) {
+      const double v = next(property.type);
+      list.push_back(std::abs(v) < 2e9 ? static_cast<int>(v) : -1);
+    }
+    return list;
+  }
 
+ private:
+  Words words_;
+  std::string_view bytes_;
+  io::PlyHeader::Encoding encoding_;
+};
+
+/// `data` is all of the file at `path`.
+Soup read_ply(const std::string& path, std::string_view data) {
+  io::ByteSource source(path);
+  const io::PlyHeader header = io::read_ply_header(source);
+  PlyBody body(data.substr(std::min(static_cast<std::size_t>(source.offset()), data.size())),
+               header.encoding);
   Soup soup;
-  for (const PlyElement& element : elements) {
+  for (const io::PlyElement& element : header.elements) {
     if (element.properties.empty()) continue;  // takes no room in the file, however many there are
-    for (long i = 0; i < element.count; ++i) {
+    for (std::int64_t i = 0; i < element.count; ++i) {
       Eigen::Vector3d p = Eigen::Vector3d::Zero();
-      for (const PlyProperty& property : element.properties) {
-        const bool is_list = !property.list_count_type.empty();
-        const double first = value(is_list ? property.list_count_type : property.type);
-        if (!is_list) {
-          if (property.name.size() == 1 && property.name >= "x" && property.name <= "z")
-            p[property.name.front() - 'x'] = first;
+      for (const io::PlyProperty& property : element.properties) {
+        if (property.is_list) {
+          auto list = body.next_list(property);
+          if (element.name == "face" && property.name.starts_with("vertex_ind"))
+            soup.polygons.push_back(std::move(list));
           continue;
         }
-        if (!(first >= 0 && first < 1e9)) throw MeshError("no sensible length of a list");
-        std::vector<int> list;
-        for (long k = 0; k < static_cast<long>(first); ++k) {
-          const double v = value(property.type);
-          list.push_back(std::abs(v) < 2e9 ? static_cast<int>(v) : -1);
-        }
-        if (element.name == "face" && property.name.starts_with("vertex_ind"))
-          soup.polygons.push_back(std::move(list));
+        const double value = body.next(property.type);
+        if (property.name.size() == 1 && property.name >= "x" && property.name <= "z")
+          p[property.name.front() - 'x'] = value;
       }
       if (element.name == "vertex") soup.vertices.push_back(p);
     }
@@ -271,13 +242,14 @@ Soup read_ply(std::string_view data) {
   return soup;
 }
 
-Soup read(std::string ending, std::string_view data) {
+Soup read(const std::string& path, std::string_view data) {
+  std::string ending = path.substr(path.rfind('.') + 1);
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending == "off") return read_off(data);
   if (ending == "stl") return read_stl(data);
   if (ending == "obj") return read_obj(data);
-  if (ending == "ply") return read_ply(data);
+  if (ending == "ply") return read_ply(path, data);
   throw MeshError("not a mesh file (known: .off, .stl, .obj, .ply)");
 }
 
@@ -289,11 +261,13 @@ Mesh load_mesh(const std::string& path, double planarity, bool keep_inward) {
     std::ifstream file(path, std::ios::binary);
     const std::string data{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     if (!file) throw MeshError("cannot be read");
-    const Soup soup = read(path.substr(path.rfind('.') + 1), data);
+    const Soup soup = read(path, data);
     Mesh mesh = make_mesh(soup.vertices, soup.polygons, planarity);
     if (!keep_inward && count_edges(mesh).open == 0 && signed_volume(mesh) < 0)
       for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
     return mesh;
+  } catch (const io::InputError& error) {  // names the file
+    throw MeshError(error.what());
   } catch (const MeshError& error) {
     throw MeshError(path + ": " + error.what());
   }

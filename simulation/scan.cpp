@@ -4,9 +4,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limpet/simulation/random.hpp>
 #include <limpet/simulation/raster.hpp>
 #include <limpet/simulation/scene.hpp>
+#include <limpet/survey/random.hpp>
 
 namespace limpet::simulation {
 namespace {
@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using Order = ScanOptions::Order;
 using Take = std::function<void(const LabelledPoint&)>;
 
-/// What becomes of a true surface point on its way through the sensor.
+/// The sensor's errors: noise along the axis, and outliers.
 class Sensor {
  public:
   Sensor(const Mesh& mesh, const ScanOptions& options) : options_(options), random_(options.seed) {
@@ -38,7 +38,7 @@ class Sensor {
 
  private:
   const ScanOptions& options_;
-  Random random_;
+  survey::Random random_;
   Vector3d low_, high_;
 };
 
@@ -53,7 +53,7 @@ void scan_raster(const Mesh& mesh, const ScanOptions& options, const Take& take)
 }
 
 /// A unit vector in a cone of 30° about the axis, without trigonometry: a point of the cone's base.
-Vector3d tilted(const Vector3d& axis, Random& random) {
+Vector3d tilted(const Vector3d& axis, survey::Random& random) {
   const double tan_30 = 0.5773502691896258;
   const Vector3d across = axis.unitOrthogonal(), up = axis.cross(across);
   for (;;) {
@@ -72,7 +72,7 @@ void scan_sampled(const Mesh& mesh, const ScanOptions& options, const Take& take
   if (!(total > 0)) throw MeshError("the surface has no area");
 
   Sensor sensor(mesh, options);
-  Random random(options.seed ^ 0x73616d706c656421u);
+  survey::Random random(options.seed ^ 0x73616d706c656421u);
   for (std::int64_t i = 0; i < options.points; ++i) {
     const auto at = std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, random.uniform() * total);
     const int triangle = static_cast<int>(at - area_up_to.begin());
@@ -91,7 +91,7 @@ void scan_sampled(const Mesh& mesh, const ScanOptions& options, const Take& take
 }
 
 void shuffle(std::vector<LabelledPoint>& points, std::uint64_t seed) {
-  Random random(seed ^ 0x73687566666c6521u);
+  survey::Random random(seed ^ 0x73687566666c6521u);
   for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
 }
 

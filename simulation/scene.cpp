@@ -1,5 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <algorithm>
+#include <limpet/io/text.hpp>
 #include <limpet/simulation/scene.hpp>
 #include <limpet/simulation/shapes.hpp>
 #include <limpet/simulation/shapes_internal.hpp>
@@ -33,6 +34,12 @@ std::vector<Vector3d> viewpoints_in_room() {
 }
 
 }  // namespace
+
+bool is_scene_name(const std::string& name) {
+  if (is_shape(name)) return true;
+  const std::string extension = io::extension_of(name);
+  return extension == "off" || extension == "stl" || extension == "obj" || extension == "ply";
+}
 
 std::vector<Vector3d> viewpoints_around(const Mesh& mesh, bool with_faces) {
   std::vector<Vector3d> viewpoints;

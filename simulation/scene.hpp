@@ -18,6 +18,9 @@ struct Scene {
 /// Makes a named shape (shapes.hpp) or else reads the mesh file of that name. Throws MeshError.
 Scene make_scene(const std::string& shape_or_path);
 
+/// Is it a shape's name, or does it end as a mesh file's?
+bool is_scene_name(const std::string& name);
+
 /// Around the mesh, two diagonals of its bounding box away: the directions of a cube's eight corners and,
 /// if asked for, of its six faces. None is quite symmetric, so no ray runs along an axis-parallel edge.
 std::vector<Eigen::Vector3d> viewpoints_around(const Mesh& mesh, bool with_faces);

@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 #include <limpet/simulation/box_world.hpp>
-#include <limpet/simulation/random.hpp>
 #include <limpet/simulation/shapes_internal.hpp>
+#include <limpet/survey/random.hpp>
 
 namespace limpet::simulation {
 namespace {
@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 /// Coordinates are whole numbers of 1/64 until the end, so equal means equal.
 constexpr double kUnit = 1.0 / 64;
 
-int between(Random& random, int low, int high) {
+int between(survey::Random& random, int low, int high) {
   return low + static_cast<int>(random.below(static_cast<std::uint64_t>(high - low + 1)));
 }
 
@@ -21,7 +21,7 @@ Vector3d point(int x, int y, int z) { return kUnit * Vector3d(x, y, z); }
 
 /// A box on the floor and perhaps a smaller one on top of it, in from the lower one's sides but where that
 /// side is a wall.
-void add_furniture(BoxWorld& world, Random& random, const std::array<int, 4>& footprint, int length,
+void add_furniture(BoxWorld& world, survey::Random& random, const std::array<int, 4>& footprint, int length,
                    int width) {
   const auto [x0, y0, x1, y1] = footprint;
   const int height = between(random, 26, 70);
@@ -38,7 +38,7 @@ void add_furniture(BoxWorld& world, Random& random, const std::array<int, 4>& fo
 }  // namespace
 
 Mesh make_room(std::uint64_t seed) {
-  Random random(seed);
+  survey::Random random(seed);
   const int length = static_cast<int>(kRoomLength / kUnit), width = static_cast<int>(kRoomWidth / kUnit);
   const int height = static_cast<int>(kRoomHeight / kUnit);
   const int wall = 64;
@@ -73,7 +73,7 @@ Mesh make_room(std::uint64_t seed) {
 }
 
 Mesh make_city(int boxes, std::uint64_t seed) {
-  Random random(seed);
+  survey::Random random(seed);
   const int pitch = 136;
   const int columns = static_cast<int>(std::ceil(std::sqrt(boxes))), rows = (boxes + columns - 1) / columns;
   std::vector<Vector3d> vertices;

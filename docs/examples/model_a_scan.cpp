@@ -1,19 +1,28 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// A scan in, a model out: model_a_scan SCAN MODEL
+// A scan in, a model out, as `limpet model SCAN -o MODEL` does it: model_a_scan SCAN MODEL
+#include <exception>
 #include <iostream>
 #include <limpet/io/mesh_writer.hpp>
-#include <limpet/io/scan_reader.hpp>
 #include <limpet/model/model.hpp>
+#include <limpet/survey/choose.hpp>
+#include <vector>
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   if (argc != 3) return 2;
-  const limpet::model::Parameters parameters{.resolution = 0.05, .noise = 0.001};
-  limpet::model::Model model(parameters);
-  const auto scan = limpet::io::open_scan(argv[1], {});
-  limpet::io::ScanRecord record;
-  while (scan->next(record)) model.update(std::span(&record.point, 1));
+  limpet::survey::PointStream points(argv[1]);               // a file, or - for standard input
+  const auto choice = limpet::survey::choose(points);        // resolution, noise and tolerance, by the scan
+  if (!points.has_axes()) points.orient(choice.voxel_edge);  // no normals: which side was it sensed from?
+  limpet::model::Model model(choice.parameters);
+  std::vector<limpet::model::SensorPoint> set;
+  while (points.next_set(set)) model.update(set);  // the model is there after every set
   model.finish();
   limpet::io::save_model(argv[2], model.record());
-  std::cout << model.counts().polygons << " polygons\n";
+  std::cout << limpet::survey::explanation(choice) << model.counts().polygons << " polygons\n";
+  if (points.damage().empty()) return 0;
+  std::cerr << points.damage() << "\n";
+  return 2;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
 }

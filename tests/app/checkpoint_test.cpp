@@ -10,7 +10,7 @@
 #include <csignal>
 #include <thread>
 
-#include <limpet/simulation/random.hpp>
+#include <limpet/survey/random.hpp>
 
 #include "program.hpp"
 
@@ -63,7 +63,7 @@ class Checkpoints : public testing::ProgramTest {
   }
 
   /// Kills and resumes until it is done; returns the number of kills.
-  int killed_again_and_again(const Words& words, simulation::Random& random, double seconds) const {
+  int killed_again_and_again(const Words& words, survey::Random& random, double seconds) const {
     for (int kills = 0;; ++kills) {
       const pid_t child = start(words);
       std::this_thread::sleep_for(std::chrono::duration<double>(random.uniform(0, seconds)));
@@ -82,7 +82,7 @@ class Checkpoints : public testing::ProgramTest {
     ASSERT_EQ(run(command(scan, "whole", more)).code, 0);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (const char* text = std::getenv("LIMPET_KILLS")) kills = std::atoi(text);
-    simulation::Random random(1);
+    survey::Random random(1);
     int tried = 0, runs = 0;
     while (tried < kills && !HasFailure()) {
       remove("run.checkpoint");
@@ -220,7 +220,7 @@ TEST_F(Checkpoints, OfOtherOptionsAreRefused) {
 TEST_F(Checkpoints, ThatAreDamagedAreRefused) {
   const std::string scan_file = scan("s.ply", "cube", 20'000);
   const std::string whole = left_by_a_killed_run(scan_file);
-  simulation::Random random(5);
+  survey::Random random(5);
   for (int i = 0; i < 24; ++i) {
     std::string bytes = whole;
     const auto at = random.below(i % 2 ? whole.size() : 700);

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // `limpet compare --labels`: what the model found against true labels, point by point.
-#include <limpet/simulation/random.hpp>
+#include <limpet/survey/random.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -50,7 +50,7 @@ TEST_F(CompareLabels, LabelsStayWithTheirPixels) {
   constexpr int kWidth = 60, kHeight = 40;
   const std::uint64_t seed = 7;
   RecordProperty("seed", std::to_string(seed));
-  simulation::Random random(seed);
+  survey::Random random(seed);
   std::string scan_text =
       "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z region\nSIZE 4 4 4 4\nTYPE F F F I\n"
       "COUNT 1 1 1 1\nWIDTH 60\nHEIGHT 40\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2400\nDATA ascii\n";

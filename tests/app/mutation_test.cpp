@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // Scans with a few bytes changed, cut or doubled: modelled or refused, never a crash.
-#include <limpet/simulation/random.hpp>
+#include <limpet/survey/random.hpp>
 
 #include "program.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 class Mutation : public testing::ProgramTest {
  protected:
-  static std::string mutate(std::string bytes, simulation::Random& random) {
+  static std::string mutate(std::string bytes, survey::Random& random) {
     const auto times = 1 + random.below(3);
     for (std::uint64_t i = 0; i < times && !bytes.empty(); ++i) {
       // Half of the damage is done to the header, where most of the meaning is.
@@ -45,7 +45,7 @@ TEST_F(Mutation, TwoHundredScans) {
   const std::uint64_t seed = 20240607;
   RecordProperty("seed", std::to_string(seed));
   std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
-  simulation::Random random(seed);
+  survey::Random random(seed);
   const std::vector<std::string> whole = {
       read(scan("binary.ply", "cube", 400)), read(scan("ascii.ply", "cube", 200, {"--ascii"})),
       read(scan("table.xyz", "cube", 200)),

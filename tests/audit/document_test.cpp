@@ -23,7 +23,9 @@ std::size_t error_line(const std::string& text) {
 
 TEST(Document, HoldsEveryField) {
   const Document document = parse_document(
-      "limpet 1\n# a comment\nresolution 0.5\nangle 0.125\nnoise 0.25\ntolerance 2\ngrid 0.0625\n"
+      "limpet 1\n# a comment\nresolution 0.5\nangle 0.125\nnoise 0.25\ntolerance 2\nquantum 0.001\npatience "
+      "14\n"
+      "grid 0.0625\n"
       "arithmetic float-grid\nrules holes,returns\ncounts 8 9 10 11\nnext 12 13\nsegments 1 1\n"
       "point 3 1 -4 5 6 7 8 9 10 11 170141183460469231731687303715884105727 0 0 -1\n"
       "raw 1\n-4 5 6 0 0 -1 2\n"
@@ -34,6 +36,8 @@ TEST(Document, HoldsEveryField) {
   EXPECT_EQ(document.angle, 0.125);
   EXPECT_EQ(document.noise, 0.25);
   EXPECT_EQ(document.tolerance, 2);
+  EXPECT_EQ(document.quantum, 0.001);
+  EXPECT_EQ(document.patience, 14u);
   EXPECT_EQ(document.step, 0.0625);
   EXPECT_EQ(document.arithmetic, Arithmetic::kFloatGrid);
   EXPECT_EQ(document.rules, "holes,returns");

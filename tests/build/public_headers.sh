@@ -8,7 +8,7 @@ set -euo pipefail
 source=$1 build=$2 compiler=$3 eigen=$4 work=$5
 
 leaks=$(cd "$source" && grep -rlE '#include *[<"](CGAL|OpenMesh|boost)/' --include='*.hpp' \
-  audit geometry model io kinematics simulation following app | grep -v '_internal\.hpp$' || true)
+  audit geometry model io survey kinematics following simulation evaluation drawing app | grep -v '_internal\.hpp$' || true)
 [ -z "$leaks" ] || { echo "these headers include CGAL, OpenMesh or Boost:"; echo "$leaks"; exit 1; }
 
 rm -rf "$work" && mkdir -p "$work"

@@ -174,7 +174,8 @@ Broken judge_sound_model(const model::ModelRecord& record) {
   std::vector<model::SensorPoint> set;
   for (const auto& s : record.polygon_segments)
     for (int i = 0; i < 4; ++i)
-      set.push_back({s.chart_origin + record.resolution * (0.3 * i * s.chart_u), -s.chart_normal, 0});
+      set.push_back(
+          {s.chart_origin + record.parameters.resolution * (0.3 * i * s.chart_u), -s.chart_normal, 0});
   model->update(set);
   model->finish();
   const auto violations = audit::judge(audit::parse_document(native_text(model->record())));

@@ -20,13 +20,13 @@ using Loop = std::vector<Eigen::Vector3d>;
 class ModelMaker {
  public:
   ModelMaker() {
-    model_.resolution = 0.0625;
-    model_.angle_rad = 0.17453292519943295;
-    model_.noise = 0.001;
-    model_.tolerance = 0.0125;
+    model_.parameters.resolution = 0.0625;
+    model_.parameters.angle_rad = 0.17453292519943295;
+    model_.parameters.noise = 0.001;
+    model_.parameters.tolerance = 0.0125;
     model_.grid_step = 1.0 / 1024;
     model_.arithmetic = "exact";
-    model_.rules = "thesis";
+    model_.parameters.rules = model::Rules::thesis();
   }
 
   ModelMaker& face(const std::vector<Loop>& loops) {

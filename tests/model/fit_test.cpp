@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <limpet/model/fit_internal.hpp>
-#include <limpet/simulation/random.hpp>
+#include <limpet/survey/random.hpp>
 
 namespace limpet::model {
 namespace {
 
 using Eigen::Vector3d;
-using simulation::Random;
+using survey::Random;
 
 /// The lattice points (i, j, a·i + b·j), 0 ≤ i < width, 0 ≤ j < height, about `origin`.
 Moments sloping_lattice(int width, int height, int a, int b, const GridPoint& origin) {

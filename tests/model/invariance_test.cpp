@@ -3,8 +3,8 @@
 // What a model does not depend on.
 #include <gtest/gtest.h>
 
-#include <limpet/simulation/judgement.hpp>
-#include <limpet/simulation/planar_face.hpp>
+#include <limpet/evaluation/judgement.hpp>
+#include <limpet/evaluation/planar_face.hpp>
 
 #include "random_streams.hpp"
 
@@ -141,19 +141,19 @@ TEST(Place, FarAwayGivesTheSamePolygonsWithinAThousandthOfTheResolution) {
       const ModelRecord here = modelled(scan.parameters, scan.points).record();
       const ModelRecord there = modelled(scan.parameters, mapped(scan.points, 1, away)).record();
       EXPECT_EQ(broken_laws(there), "");
-      auto faces = simulation::planar_faces(there);
+      auto faces = evaluation::planar_faces(there);
       for (auto& face : faces)
         for (auto& cycle : face.cycles)
           for (auto& v : cycle) v -= away;
-      const auto difference = simulation::compare_boundaries(simulation::planar_faces(here), faces, lambda);
+      const auto difference = evaluation::compare_boundaries(evaluation::planar_faces(here), faces, lambda);
       EXPECT_TRUE(difference.only_a.empty() && difference.only_b.empty()) << shape << ' ' << noise;
       EXPECT_LT(difference.max_distance, lambda / 1000) << shape << ' ' << noise;
     }
 }
 
-double area_of(const simulation::PlanarFace& face) {
+double area_of(const evaluation::PlanarFace& face) {
   double area = 0;
-  for (const auto& [a, b, c] : simulation::triangulated(face)) area += (b - a).cross(c - a).norm() / 2;
+  for (const auto& [a, b, c] : evaluation::triangulated(face)) area += (b - a).cross(c - a).norm() / 2;
   return area;
 }
 
@@ -166,9 +166,9 @@ TEST(Order, ShuffledOrRasterGivesTheSameFaces) {
       Points points = raster.points;
       Random random(1);
       shuffle(points, random);
-      const auto a = simulation::planar_faces(modelled(raster.parameters, raster.points).record());
-      const auto b = simulation::planar_faces(modelled(raster.parameters, points).record());
-      const auto both = simulation::compare_boundaries(a, b, raster.parameters.resolution);
+      const auto a = evaluation::planar_faces(modelled(raster.parameters, raster.points).record());
+      const auto b = evaluation::planar_faces(modelled(raster.parameters, points).record());
+      const auto both = evaluation::compare_boundaries(a, b, raster.parameters.resolution);
       ASSERT_EQ(a.size(), b.size()) << shape << ' ' << noise;
       ASSERT_TRUE(both.only_a.empty() && both.only_b.empty()) << shape << ' ' << noise;
       for (const auto& pair : both.pairs) {

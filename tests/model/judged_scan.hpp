@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <limpet/simulation/judgement.hpp>
-#include <limpet/simulation/planar_face.hpp>
-#include <limpet/simulation/topology.hpp>
+#include <limpet/evaluation/judgement.hpp>
+#include <limpet/evaluation/planar_face.hpp>
+#include <limpet/evaluation/topology.hpp>
 #include <map>
 
 #include "streams.hpp"
@@ -23,11 +23,11 @@ struct JudgedScan {
   Parameters parameters;
 
   /// How a model's neighbour relation compares with the truth's.
-  simulation::TopologyReport topology(const ModelRecord& record) const {
+  evaluation::TopologyReport topology(const ModelRecord& record) const {
     const auto faces =
-        simulation::judge_faces(simulation::planar_faces(record), truth, labelled,
+        evaluation::judge_faces(evaluation::planar_faces(record), truth, labelled,
                                 {.resolution = parameters.resolution, .noise = parameters.noise});
-    return simulation::judge_topology(record, truth, faces);
+    return evaluation::judge_topology(record, truth, faces);
   }
 };
 
@@ -90,7 +90,7 @@ inline Model watched(const Parameters& parameters, const Points& points, std::si
 }
 
 /// Faults of a topology, one a line.
-inline std::string faults_of(const simulation::TopologyReport& topology) {
+inline std::string faults_of(const evaluation::TopologyReport& topology) {
   std::string all;
   for (const auto& fault : topology.faults) all += fault + "\n";
   return all;

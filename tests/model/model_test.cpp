@@ -256,9 +256,9 @@ TEST(Record, WithAPerimeterThatIsNotValidIsRefused) {
   vertices[0].x = 3 * across.x - 2 * vertices[0].x;
   vertices[0].y = 3 * across.y - 2 * vertices[0].y;
   EXPECT_THROW(Model{crossing}, std::invalid_argument);
-  ModelRecord rules = record;
-  rules.rules = "frobnicate";
-  EXPECT_THROW(Model{rules}, std::invalid_argument);
+  ModelRecord parameters = record;
+  parameters.parameters.resolution = -1;
+  EXPECT_THROW(Model{parameters}, std::invalid_argument);
 }
 
 TEST(Record, GoneOnFromGivesAsGoodAModel) {

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <limpet/model/moments_internal.hpp>
-#include <limpet/simulation/random.hpp>
+#include <limpet/survey/random.hpp>
 
 namespace limpet::model {
 namespace {
 
-using simulation::Random;
+using survey::Random;
 using Cloud = std::vector<GridPoint>;
 
 /// Points with coordinates 1 to `extent`.

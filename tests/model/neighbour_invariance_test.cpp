@@ -114,7 +114,7 @@ TEST(ClosedModels, AreExportedAsClosedManifolds) {
     ASSERT_TRUE(scan.topology(record).closed) << name;
     const auto lifted = io::lift(record);
     for (const bool triangles_only : {false, true}) {
-      const auto mesh = io::make_mesh(lifted, record.resolution, triangles_only);
+      const auto mesh = io::make_mesh(lifted, record.parameters.resolution, triangles_only);
       EXPECT_EQ(euler_characteristic(mesh), characteristic) << name;
     }
   }

@@ -19,7 +19,7 @@ using namespace testing;
 
 /// The same but for the numbers that say how the noise came about.
 std::string bytes_without_noise(ModelRecord record) {
-  record.noise = record.noise_per_range = record.noise_per_range2 = 0;
+  record.parameters.noise = record.parameters.noise_per_range = record.parameters.noise_per_range2 = 0;
   return bytes(record);
 }
 

@@ -278,7 +278,7 @@ TEST(ThesisRules, KeepThePromise) {
       Scan scan = scanned(shape, 2000, noise, Order::shuffled);
       scan.parameters.rules = Rules::thesis();
       const ModelRecord record = judged(scan.parameters, scan.points, 26);
-      EXPECT_EQ(record.rules, "thesis");
+      EXPECT_EQ(record.parameters.rules.to_string(), "thesis");
       EXPECT_EQ(points_in_segments(record), record.points);
       EXPECT_GE(record.polygon_segments.size(), 1u);
       EXPECT_EQ(holes_of(record), 0u);
@@ -290,7 +290,7 @@ TEST(EachRule, LeftOutAloneKeepsThePromise) {
     Scan scan = scanned("L", 3000, 0.001, Order::shuffled);
     scan.parameters.rules = Rules::parse("-" + name);
     const ModelRecord record = judged(scan.parameters, scan.points, 50);
-    EXPECT_EQ(record.rules.find(name), std::string::npos);
+    EXPECT_EQ(record.parameters.rules.to_string().find(name), std::string::npos);
     EXPECT_GE(record.polygon_segments.size(), 4u) << name;
   }
 }

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <limpet/model/rules.hpp>
-#include <limpet/simulation/random.hpp>
+#include <limpet/survey/random.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -61,7 +61,7 @@ TEST(Rules, NamesAreThoseOfTheMembers) {
 }
 
 TEST(Rules, WhatIsPrintedIsReadBack) {
-  simulation::Random random(1);
+  survey::Random random(1);
   for (int round = 0; round < 500; ++round) {
     std::vector<std::string> some;
     for (const auto& name : Rules::names())

@@ -33,7 +33,7 @@ const std::vector<KnownShape>& known_shapes() {
 
 /// Vertices that join two edges shared with different neighbours, each counted once however many have it.
 std::int64_t corners_of(const ModelRecord& record) {
-  return io::weld(io::lift(record), record.resolution).corners;
+  return io::weld(io::lift(record), record.parameters.resolution).corners;
 }
 
 void expect_known(const KnownShape& shape, Order order, double noise, std::uint64_t seed) {

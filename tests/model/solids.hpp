@@ -8,7 +8,7 @@
 
 #include <limpet/simulation/box_world.hpp>
 #include <limpet/simulation/mesh.hpp>
-#include <limpet/simulation/random.hpp>
+#include <limpet/survey/random.hpp>
 
 /// Worlds in which planes meet in all the ways they can.
 namespace limpet::model::testing {
@@ -121,7 +121,7 @@ inline Mesh convex(const std::vector<Eigen::Vector3d>& normals, double shortest)
 
 /// A polyhedron of 7 to 12 planes about the unit ball, no two of them nearer than 25° to each other, and no
 /// edge shorter than `shortest`.
-inline Mesh random_convex(simulation::Random& random, double shortest) {
+inline Mesh random_convex(survey::Random& random, double shortest) {
   for (;;) {
     const auto wanted = 7 + random.below(6);
     std::vector<Eigen::Vector3d> normals;

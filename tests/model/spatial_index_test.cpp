@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <limpet/model/spatial_index_internal.hpp>
-#include <limpet/simulation/random.hpp>
+#include <limpet/survey/random.hpp>
 
 namespace limpet::model {
 namespace {
 
-using simulation::Random;
+using survey::Random;
 
 /// Boxes of all sizes, some of no extent, on few different coordinates so that many touch.
 Box3 random_box(Random& random, double scale, const Eigen::Vector3d& about) {

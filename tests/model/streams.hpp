@@ -14,15 +14,15 @@
 #include <limpet/io/native.hpp>
 #include <limpet/model/model.hpp>
 #include <limpet/simulation/mesh.hpp>
-#include <limpet/simulation/random.hpp>
 #include <limpet/simulation/scan.hpp>
 #include <limpet/simulation/scene.hpp>
+#include <limpet/survey/random.hpp>
 
 /// What the tests of models have in common: streams of readings, and what is asked of a model.
 namespace limpet::model::testing {
 
 using Eigen::Vector3d;
-using simulation::Random;
+using survey::Random;
 using Points = std::vector<SensorPoint>;
 
 /// How many runs a test makes: as the environment says, else so many.

@@ -1,0 +1,281 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// The surface's area per point and the noise, from the neighbours of some points of the scan. Both are taken
+// at the smallest scale at which the neighbourhood looks like a surface: below the noise a scan is a cloud.
+#include <limpet/survey/estimate.hpp>
+#include <limpet/survey/noise_law.hpp>
+#include <limpet/survey/rounded_depths.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace limpet::survey {
+namespace {
+
+namespace bg = boost::geometry;
+namespace bgi = boost::geometry::index;
+using Point = bg::model::point<double, 3, bg::cs::cartesian>;
+using Box = bg::model::box<Point>;
+using PointTree = bgi::rtree<std::pair<Point, std::uint32_t>, bgi::rstar<16>>;
+using BoxTree = bgi::rtree<std::pair<Box, std::uint32_t>, bgi::rstar<16>>;
+
+constexpr std::size_t kCentres = 1000;
+constexpr int kNeighbours = 16;
+constexpr double kFlat = 0.15;  ///< thickness over radius below which a neighbourhood is a surface
+
+Point to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+
+/// All points of a sample, or of the scan, that lie within a radius of a centre.
+struct Neighbourhood {
+  std::vector<model::SensorPoint> points;
+  double radius = 0;
+  double weight = 1;  ///< points of the scan that each of these stands for
+};
+
+/// What a neighbourhood says when it is flat.
+struct Patch {
+  double area_per_point = 0;
+  std::optional<double> noise;
+  double range = 0;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double thickness = 0;
+};
+
+struct Principal {
+  Eigen::Vector3d variances, thinnest;
+};
+
+Principal principal(const std::vector<model::SensorPoint>& points) {
+  const auto m = static_cast<double>(points.size());
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const auto& p : points) mean += p.position / m;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const auto& p : points) {
+    const Eigen::Vector3d d = p.position - mean;
+    covariance += d * d.transpose() / (m - 3);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  return {solver.eigenvalues().cwiseMax(0), solver.eigenvectors().col(0)};
+}
+
+std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis,
+                              const RoundedDepths& rounded) {
+  constexpr std::size_t kFewest = 8;
+  if (around.points.size() < kFewest || !(around.radius > 0)) return std::nullopt;
+  const bool has_axis = !axis.isZero();
+  // A thin plate has a back, which was sensed from the other side.
+  const Eigen::Vector3d normal = principal(around.points).thinnest;
+  std::erase_if(around.points, [&](const model::SensorPoint& p) {
+    return has_axis && std::signbit(p.axis.dot(normal)) != std::signbit(axis.dot(normal));
+  });
+  if (around.points.size() < kFewest) return std::nullopt;
+  const Principal found = principal(around.points);
+  const double thickness = std::sqrt(found.variances[0]);
+  // A line of points (one row of a scanner) says nothing about area, nor about a normal.
+  if (thickness > kFlat * around.radius || found.variances[1] < 0.05 * found.variances[2])
+    return std::nullopt;
+  const double cosine = has_axis ? std::abs(found.thinnest.dot(axis)) : 1;
+  if (cosine < 0.2) return std::nullopt;
+  // The centre is one of the points: of the others there are m - 1 in the disc.
+  const double others = static_cast<double>(around.points.size() - 1) * around.weight;
+  Patch patch;
+  patch.area_per_point = M_PI * around.radius * around.radius / others;
+  patch.noise = noise_of(around.points, has_axis ? axis : found.thinnest, thickness / cosine, rounded);
+  patch.normal = found.thinnest;
+  patch.thickness = thickness;
+  return patch;
+}
+
+/// The sample as a tree, for neighbourhoods of any number of points.
+class Coarse {
+ public:
+  explicit Coarse(const Sample& sample) : sample_(sample) {
+    std::vector<std::pair<Point, std::uint32_t>> items;
+    for (std::size_t i = 0; i < sample.points().size(); ++i) {
+      items.emplace_back(to_point(sample.points()[i].position), static_cast<std::uint32_t>(i));
+    }
+    tree_ = PointTree(items);
+  }
+
+  Neighbourhood nearest(const model::SensorPoint& centre, int count) const {
+    std::vector<std::pair<Point, std::uint32_t>> found;
+    tree_.query(bgi::nearest(to_point(centre.position), static_cast<unsigned>(count)),
+                std::back_inserter(found));
+    Neighbourhood around;
+    around.weight = sample_.weight();
+    for (const auto& [point, index] : found) {
+      around.points.push_back(sample_.points()[index]);
+      around.radius = std::max(around.radius, (around.points.back().position - centre.position).norm());
+    }
+    return around;
+  }
+
+ private:
+  const Sample& sample_;
+  PointTree tree_;
+};
+
+/// Sorted, without the largest 3 %, which come from outliers.
+std::vector<double> trimmed(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  values.resize(values.size() - values.size() * 3 / 100);
+  return values;
+}
+
+/// The mean of the area per point, taken over the points, is the total area over the number of points even
+/// where the density varies: dense parts have more points that say little, sparse ones fewer that say much.
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+/// The area per point that is exceeded on 5 % of the surface. Each value is also the area its point stands
+/// for.
+double sparse(const std::vector<double>& ascending) {
+  double left = 0.05 * mean(ascending) * static_cast<double>(ascending.size());
+  for (auto at = ascending.rbegin(); at != ascending.rend(); ++at) {
+    left -= *at;
+    if (left <= 0) return *at;
+  }
+  return 0;
+}
+
+/// The finest scale at which the neighbourhood of a centre is flat; an empty patch where there is none.
+Patch first_flat(const Neighbourhood& fine, const Coarse& coarse, const model::SensorPoint& centre,
+                 const RoundedDepths& rounded) {
+  std::optional<Patch> patch = patch_of(fine, centre.axis, rounded);
+  for (int count = kNeighbours; !patch && count <= 64 * kNeighbours; count *= 4) {
+    patch = patch_of(coarse.nearest(centre, count), centre.axis, rounded);
+  }
+  if (!patch) return {};
+  patch->range = centre.range;
+  return *patch;
+}
+
+std::vector<std::size_t> centres_of(const Sample& sample) {
+  std::vector<std::size_t> centres;
+  const std::size_t n = sample.points().size();
+  const std::size_t stride = std::max<std::size_t>(1, n / kCentres);
+  for (std::size_t i = 0; i < n; i += stride) centres.push_back(i);
+  return centres;
+}
+
+/// Looks a second time if the first shows that the depths were rounded before the scan was turned.
+std::vector<Patch> look_at(const Sample& sample, const std::vector<std::size_t>& centres,
+                           const std::vector<Neighbourhood>& fine, const Coarse& coarse) {
+  const auto look = [&](const RoundedDepths& rounded) {
+    std::vector<Patch> patches;
+    for (std::size_t i = 0; i < centres.size(); ++i)
+      patches.push_back(first_flat(fine[i], coarse, sample.points()[centres[i]], rounded));
+    return patches;
+  };
+  const std::vector<Patch> patches = look({});
+  Eigen::AlignedBox3d box;
+  for (const auto& p : sample.points()) box.extend(p.position);
+  // Coordinates are written with seven digits or so.
+  const double within = 1e-6 * box.diagonal().norm();
+  std::vector<Eigen::Vector3d> normals;
+  for (const Patch& patch : patches) {
+    if (patch.area_per_point > 0 && patch.thickness < within) normals.push_back(patch.normal);
+  }
+  const auto rounded = rounded_depths(normals, patches.size(), within);
+  return rounded ? look(*rounded) : patches;
+}
+
+Estimate summarise(const Sample& sample, const std::vector<Patch>& patches) {
+  std::vector<double> areas, ranges;
+  std::vector<NoiseAt> noises;
+  // The scatter of exact readings is the rounding of their coordinates, which is no noise.
+  double largest = 0;
+  for (const auto& p : sample.points()) largest = std::max(largest, p.position.cwiseAbs().maxCoeff());
+  for (const Patch& patch : patches) {
+    if (!(patch.area_per_point > 0)) continue;
+    areas.push_back(patch.area_per_point);
+    if (patch.noise) noises.push_back({patch.range, *patch.noise < 1e-12 * largest ? 0 : *patch.noise});
+  }
+  for (const auto& p : sample.points()) ranges.push_back(p.range);
+  areas = trimmed(std::move(areas));
+  return {mean(areas),
+          sparse(areas),
+          fit_noise_law(std::move(noises)),
+          quantile(ranges, 0.05),
+          quantile(ranges, 0.95),
+          sample.count()};
+}
+
+}  // namespace
+
+void Sample::add(const model::SensorPoint& point) {
+  ++count_;
+  if (points_.size() < size_) {
+    points_.push_back(point);
+  } else if (const auto at = random_.below(static_cast<std::uint64_t>(count_)); at < size_) {
+    points_[at] = point;
+  }
+}
+
+double Sample::weight() const {
+  return points_.empty() ? 1 : static_cast<double>(count_) / static_cast<double>(points_.size());
+}
+
+Estimate estimate(const Sample& sample) {
+  const auto centres = centres_of(sample);
+  return summarise(sample,
+                   look_at(sample, centres, std::vector<Neighbourhood>(centres.size()), Coarse(sample)));
+}
+
+Estimate estimate(const std::function<void(const Take&)>& pass) {
+  Sample sample;
+  pass([&](const model::SensorPoint& point) { sample.add(point); });
+  if (sample.weight() <= 1) return estimate(sample);
+
+  // A second look, at all the points near the centres: as far as three times `kNeighbours` should lie.
+  const Coarse coarse(sample);
+  const auto centres = centres_of(sample);
+  std::vector<Neighbourhood> fine;
+  std::vector<std::pair<Box, std::uint32_t>> boxes;
+  for (const std::size_t i : centres) {
+    const auto& centre = sample.points()[i];
+    const double reach = coarse.nearest(centre, kNeighbours).radius * std::sqrt(3 / sample.weight());
+    fine.push_back({{}, reach, 1});
+    const Eigen::Vector3d low = centre.position.array() - reach, high = centre.position.array() + reach;
+    boxes.emplace_back(Box(to_point(low), to_point(high)), static_cast<std::uint32_t>(fine.size() - 1));
+  }
+  const BoxTree tree(boxes);
+  pass([&](const model::SensorPoint& point) {
+    const Point at = to_point(point.position);
+    for (auto hit = tree.qbegin(bgi::intersects(at)); hit != tree.qend(); ++hit) {
+      Neighbourhood& around = fine[hit->second];
+      const auto& centre = sample.points()[centres[hit->second]];
+      if (around.points.size() < 1000 && (point.position - centre.position).norm() <= around.radius) {
+        around.points.push_back(point);
+      }
+    }
+  });
+  return summarise(sample, look_at(sample, centres, fine, coarse));
+}
+
+double ResolutionBounds::largest() const { return std::max({density, sparse_parts, noise}); }
+
+ResolutionBounds resolution_bounds(const Estimate& estimate, const NoiseLaw& noise) {
+  const double usual = 2.2 * std::sqrt(estimate.area_per_point);
+  return {usual, std::min(std::sqrt(3 * estimate.sparse_area), 4 * usual / 3),
+          std::max(10 * noise.at(estimate.near_range), 5 * noise.at(estimate.far_range))};
+}
+
+double suitable_resolution(const Estimate& estimate, const NoiseLaw& noise) {
+  return resolution_bounds(estimate, noise).largest();
+}
+
+double suitable_tolerance(double noise, double resolution) { return std::max(3 * noise, resolution / 5); }
+
+}  // namespace limpet::survey

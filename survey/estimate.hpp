@@ -1,0 +1,70 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limpet/model/sensor_point.hpp>
+#include <limpet/survey/noise_law.hpp>
+#include <limpet/survey/random.hpp>
+#include <vector>
+
+namespace limpet::survey {
+
+/// A uniform random sample, of bounded size, of a stream of points (reservoir sampling). The seed is fixed,
+/// so that the same stream gives the same sample.
+class Sample {
+ public:
+  explicit Sample(std::size_t size = 20'000) : size_(size) {}
+  void add(const model::SensorPoint& point);
+  const std::vector<model::SensorPoint>& points() const { return points_; }
+  /// Points of the stream so far.
+  std::int64_t count() const { return count_; }
+  /// How many points of the stream one point of the sample stands for.
+  double weight() const;
+
+ private:
+  std::size_t size_;
+  std::vector<model::SensorPoint> points_;
+  std::int64_t count_ = 0;
+  Random random_{1};
+};
+
+/// What a scan tells about itself. A number is zero where the scan does not tell it, as where there are too
+/// few points or all of them are in one place.
+struct Estimate {
+  double area_per_point = 0;  ///< mean area of the surface for each point, square of the scan's unit
+  double sparse_area = 0;     ///< the same where the scan is sparse: 95 % of the surface has less
+  NoiseLaw noise;             ///< standard deviation of a reading along its axis
+  double near_range = 0;      ///< 95 % of the points are farther from the sensor, scan's unit; 0: not known
+  double far_range = 0;       ///< 5 % of the points are farther
+  std::int64_t points = 0;    ///< points that were looked at
+};
+
+using Take = std::function<void(const model::SensorPoint&)>;
+
+/// Estimates from the points that `pass` hands out; it is called twice and hands out the same both times.
+Estimate estimate(const std::function<void(const Take&)>& pass);
+
+/// The same from a sample alone, for a stream that passes only once. The estimate is coarser.
+Estimate estimate(const Sample& sample);
+
+/// What a linear resolution λ has to be at least, scan's unit, for each thing that asks for it.
+struct ResolutionBounds {
+  double density = 0;  ///< for about five points per λ²
+  double sparse_parts =
+      0;             ///< for three points per λ² where the scan is sparse; at most a third above `density`
+  double noise = 0;  ///< ten times the noise where it is least, and five times where it is greatest
+  double largest() const;
+};
+
+/// Precondition: the estimate's area_per_point is known. Below the bound by noise nothing is wide enough to
+/// tell a plane's normal.
+ResolutionBounds resolution_bounds(const Estimate& estimate, const NoiseLaw& noise);
+
+/// λ that suits the scan: the largest of these.
+double suitable_resolution(const Estimate& estimate, const NoiseLaw& noise);
+
+/// How far from its plane a surface may be: three times the noise, taken where it is greatest, or λ/5.
+double suitable_tolerance(double noise, double resolution);
+
+}  // namespace limpet::survey

@@ -1,0 +1,95 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <limpet/io/scan_reader.hpp>
+#include <limpet/survey/orientation.hpp>
+#include <limpet/survey/point_spool.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limpet::survey {
+
+/// Readings in one set, the unit of an update, where nothing else is asked for: one from each sensor of the
+/// thesis's mobile robot.
+inline constexpr std::size_t kSetSize = 26;
+
+/// A sensor point of a scan, and how many records that are no point were passed over just before it.
+struct Reading {
+  model::SensorPoint point;
+  std::int64_t skipped = 0;
+};
+
+/// The points of a scan, in order, which can be looked at before they are read: a file is read a second time;
+/// of standard input, which comes only once, a beginning is held in memory, or all of it in a temporary file.
+class PointStream {
+ public:
+  /// `path` "-" is standard input. `stop`, where there is one, is asked now and then whether a long pass
+  /// through the scan is to end early. Errors: io::InputError when the scan cannot be opened.
+  explicit PointStream(const std::string& path, const io::ScanOptions& options = {},
+                       std::function<bool()> stop = {});
+
+  /// The next reading; false at the end and where the scan is damaged (see damage()).
+  bool next(Reading& reading);
+
+  /// The next set of at most `size` points; false when there is none left.
+  bool next_set(std::vector<model::SensorPoint>& set, std::size_t size = kSetSize);
+
+  /// The first record, left in place; null when there is none. Precondition: nothing has been read yet.
+  const io::ScanRecord* first();
+
+  /// Does the scan say the sensing axes of its points? Where it does not, orient() finds them. Precondition:
+  /// nothing has been read yet.
+  bool has_axes() { return first() != nullptr && first()->has_axis; }
+
+  /// Hands the scan's points to `take` from the beginning, at most `most` of them, without moving on.
+  /// Precondition: nothing has been read yet.
+  void look_ahead(std::int64_t most, const std::function<void(const model::SensorPoint&)>& take);
+
+  /// Goes through all of the scan to find the sensing axes of its points from the shape of the surface (see
+  /// Orientation); next() then hands them out. This is a guess, right for what was scanned from outside.
+  /// `edge` of a voxel, scan's unit, > 0; Choice::voxel_edge suits. Precondition: nothing has been read yet.
+  /// Errors: io::OutputError when there is no space for the temporary file.
+  void orient(double edge);
+
+  /// How the axes were found; null: orient() has not been called.
+  const Orientation* orientation() const { return orientation_.get(); }
+
+  /// Records the scan promises; -1: it does not say.
+  std::int64_t promised() const { return reader_->promised(); }
+  /// Records that are no point, so far.
+  std::int64_t skipped() const { return reader_->skipped(); }
+  /// Of these, those behind the last point.
+  std::int64_t skipped_at_end() const { return reader_->skipped() - skipped_seen_; }
+  /// What is wrong with the scan, once the points before it have been given out; empty: nothing so far.
+  const std::string& damage() const { return damage_; }
+  bool is_standard_input() const { return path_ == "-"; }
+  /// The scan as messages name it: its path, or "standard input".
+  std::string name() const { return is_standard_input() ? "standard input" : path_; }
+
+ private:
+  struct Kept {
+    io::ScanRecord record;
+    std::int64_t skipped = 0;
+  };
+  bool read(Kept& kept);
+  bool read_scan(Kept& kept);
+  bool stopped() const { return stop_ && stop_(); }
+  /// All points from the beginning, without moving on; not of standard input.
+  void read_again(std::int64_t most, const std::function<void(const model::SensorPoint&)>& take) const;
+
+  std::string path_;
+  io::ScanOptions options_;
+  std::function<bool()> stop_;
+  std::unique_ptr<io::ScanReader> reader_;
+  std::deque<Kept> ahead_;
+  std::int64_t skipped_seen_ = 0;
+  std::string damage_;
+  std::unique_ptr<Orientation> orientation_;
+  std::unique_ptr<PointSpool> spool_;  ///< of standard input, once it is oriented
+};
+
+}  // namespace limpet::survey
