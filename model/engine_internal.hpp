@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include <limpet/model/model.hpp>
+
 #include "agenda_internal.hpp"
 #include "complex_internal.hpp"
 #include "insertion_internal.hpp"

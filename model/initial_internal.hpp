@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <limpet/model/model.hpp>
+
 #include "complex_internal.hpp"
 
 namespace limpet::model::internal {
