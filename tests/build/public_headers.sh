@@ -18,7 +18,7 @@ installed=$(cd "$work/installed/include" && pwd)
 # opened HEADER FILE: compiles the header and lists in FILE what it opens.
 opened() {
   printf '#include <%s>\n' "${@:3}" "$1" |
-    "$compiler" -std=c++20 -fsyntax-only -I"$installed" -isystem "$eigen" -MD -MF "$2.d" -x c++ -
+    "$compiler" -std=c++20 -fsyntax-only -I"$installed" -isystem "$eigen" -MD -MF "$2.d" -x c++ - || return 1
   sed -e 's/^[^:]*://' -e 's/\\$//' "$2.d" | tr ' ' '\n' | sed '/^$/d' | xargs realpath | sort -u > "$2"
 }
 check() {
