@@ -4,7 +4,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 SOURCES = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: demo test build fuzz coverage same-bytes mutants bench bench-predicates bench-compare benchmarks
+.PHONY: demo test build fuzz coverage same-bytes tsan mutants bench bench-predicates bench-compare benchmarks
 .PHONY: format format-check lint install clean packages configure
 
 demo: configure
@@ -33,6 +33,11 @@ coverage: packages
 same-bytes: packages
 	tools/install_packages.sh fuzz
 	JOBS=$(JOBS) tools/same_bytes.sh
+
+# Readers of one model side by side, under ThreadSanitizer.
+tsan: packages
+	cmake --preset tsan && cmake --build --preset tsan -j $(JOBS)
+	ctest --preset tsan
 
 # Breaks conditions in geometry/ and model/ one at a time, and asks the tests which they notice.
 mutants: packages
