@@ -40,7 +40,8 @@ class DataMeshes : public ::testing::TestWithParam<DataMesh> {
 TEST_P(DataMeshes, HaveTheirFaces) {
   const simulation::Mesh mesh = simulation::load_mesh(path_.string());
   int holes = 0;
-  for (const simulation::Face& face : simulation::faces_of(mesh)) holes += static_cast<int>(face.loops.size()) - 1;
+  for (const simulation::Face& face : simulation::faces_of(mesh))
+    holes += static_cast<int>(face.loops.size()) - 1;
   EXPECT_EQ(mesh.face_count, GetParam().faces);
   EXPECT_EQ(holes, GetParam().holes);
   EXPECT_EQ(simulation::count_edges(mesh).open == 0, GetParam().closed);
