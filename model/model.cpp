@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/model/model.hpp>
 
+#include <limpet/model/view.hpp>
+
 #include "engine_internal.hpp"
 
 namespace limpet::model {
@@ -67,6 +69,8 @@ Counts Model::counts() const {
 }
 
 ModelRecord Model::record() const { return internal::to_record(state_->engine); }
+
+View Model::view() const { return View(state_->engine); }
 
 std::string Model::state() const {
   internal::settle_labels(state_->engine);

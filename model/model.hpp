@@ -52,6 +52,8 @@ struct Counts {
   std::int64_t redundant_by_count = 0, redundant_by_position = 0;  ///< segments deleted (thesis §2.9)
 };
 
+class View;
+
 /// An incremental planar polyhedral surface model (thesis chapter 2).
 ///
 ///     Model model(Parameters{.resolution = 0.05, .noise = 0.001});
@@ -66,7 +68,7 @@ struct Counts {
 ///  (4) the changes a call returns tell all that happened to segments, edges and shared edges;
 ///  (5) a shared edge has one partner, whose partner it is, on another segment of the same surface; so the
 ///      neighbour relation is symmetric, and a segment is in at most one surface;
-///  (6) what is only asked (records, surfaces, labels, times, open edges) changes nothing;
+///  (6) what is only asked (records, views, surfaces, labels, times, open edges) changes nothing;
 ///  (7) a reading that is none is counted and changes nothing else;
 ///  (8) a model from a record has that record;
 ///  (9) an empty set is counted and changes nothing else.
@@ -102,6 +104,8 @@ class Model {
   Counts counts() const;
   /// Everything, as plain data.
   ModelRecord record() const;
+  /// To be asked about places, segments and edges (view.hpp).
+  View view() const;
 
   /// All that what follows depends on, between two calls, as bytes: also what a record leaves out, as what is
   /// to be looked at next. The same model gives the same bytes. For this build of the program: what another
