@@ -51,8 +51,7 @@ std::optional<View::Hit> first_hit(const Engine& e, const Vector3d& from, const 
     range = hit->range;
   };
   if (which.only) {
-    const Segment* s = find_segment(e, which.only);
-    if (s && s->polygon && is_asked(which, *s)) look(*s);
+    if (const Segment* s = the_only(e, which); s && s->polygon) look(*s);
     return best;
   }
   if (!which.polygons && !which.initial) return best;

@@ -21,49 +21,71 @@ inline bool is_asked(const Which& which, const Segment& s) {
                                        : which.polygons;
 }
 
-/// Calls f(segment) for those asked about whose indexed boxes meet `box`.
+/// The segment that alone is asked about, if there is one and it is of the right kind.
+inline const Segment* the_only(const Engine& e, const Which& which) {
+  const Segment* s = find_segment(e, which.only);
+  return s && is_asked(which, *s) ? s : nullptr;
+}
+
+/// Calls f(segment) for those of an index that are asked about and whose indexed boxes meet `box`.
+template <class F>
+void for_each_near(const Engine& e, const SpatialIndex& index, const Which& which, const Box3& box, F&& f) {
+  index.any_of(box, [&](std::uint32_t slot) {
+    if (is_asked(which, e.at(slot))) f(e.at(slot));
+    return false;
+  });
+}
+
+/// The same of all segments.
 template <class F>
 void for_each_near(const Engine& e, const Which& which, const Box3& box, F&& f) {
   if (which.only) {
-    const Segment* s = find_segment(e, which.only);
-    if (s && is_asked(which, *s)) f(*s);
+    if (const Segment* s = the_only(e, which)) f(*s);
     return;
   }
-  const auto look = [&](std::uint32_t slot) {
-    if (is_asked(which, e.at(slot))) f(e.at(slot));
-    return false;
-  };
-  if (which.polygons || which.initial) e.polygons.any_of(box, look);
-  if (which.points) e.points.any_of(box, look);
+  if (which.polygons || which.initial) for_each_near(e, e.polygons, which, box, f);
+  if (which.points) for_each_near(e, e.points, which, box, f);
 }
 
 inline Box3 grown(const Box3& box, double by) {
   return {box.min() - Eigen::Vector3d::Constant(by), box.max() + Eigen::Vector3d::Constant(by)};
 }
 
-/// Looks at the segments asked about from those near a box outwards: look(segment) returns how far away
-/// segments are still of interest, at most `limit`. Each of these is looked at once; none whose box is
-/// farther.
+/// Looks at the segments of an index from those near a box outwards, first at those within `span` or where
+/// there are some; see look_outwards() below. How far away segments are then still of interest.
 template <class Look>
-void look_outwards(const Engine& e, const Which& which, const Box3& around, double limit, double rounding,
-                   Look&& look) {
-  Box3 all = e.points.bounds();
-  all.extend(e.polygons.bounds());
-  if (all.isEmpty()) return;
+double look_outwards(const Engine& e, const SpatialIndex& index, const Which& which, const Box3& around,
+                     double span, double limit, double rounding, Look&& look) {
+  const Box3 all = index.bounds();
+  if (all.isEmpty()) return limit;
   const double beyond = length(gap_between(around, all));
-  double seen = -1;
-  for (double span = e.parameters.resolution;; span *= 2) {
+  for (double seen = -1; seen < limit; span *= 2) {
     const Box3 box = grown(around, std::min(beyond + span, limit) + rounding);
-    // The last round takes all that is left.
-    const bool last = which.only || beyond + span >= limit || box.contains(all);
-    const double reach = last ? limit : beyond + span;
-    for_each_near(e, which, box, [&](const Segment& s) {
+    const double reach = box.contains(all) ? limit : beyond + span;
+    for_each_near(e, index, which, box, [&](const Segment& s) {
       const double gap = length(gap_between(around, tight_box(s)));
       if (gap > seen && gap <= reach && gap <= limit) limit = std::min(limit, look(s));
     });
-    if (last || reach >= limit) return;
     seen = reach;
   }
+  return limit;
+}
+
+/// Looks at the segments asked about from those near a box outwards: look(segment) returns how far away
+/// segments are still of interest, at most `limit`. Each of these is looked at once; none whose box is
+/// farther. Polygons first: they are found with less effort, and then few places are left for points.
+template <class Look>
+void look_outwards(const Engine& e, const Which& which, const Box3& around, double limit, double rounding,
+                   Look&& look) {
+  if (which.only) {
+    const Segment* s = the_only(e, which);
+    if (s && length(gap_between(around, tight_box(*s))) <= limit) look(*s);
+    return;
+  }
+  const double lambda = e.parameters.resolution;
+  if (which.polygons || which.initial)
+    limit = look_outwards(e, e.polygons, which, around, 4 * lambda, limit, rounding, look);
+  if (which.points) look_outwards(e, e.points, which, around, lambda, limit, rounding, look);
 }
 
 /// Looks at all segments asked about whose boxes are within `limit` of a box.

@@ -11,32 +11,6 @@ constexpr double kSpan = 2;    ///< cells that a box may be wide
 
 }  // namespace
 
-std::uint64_t SpatialIndex::Grid::key_of(const Index& at) {
-  std::uint64_t key = 0;
-  for (const std::int64_t i : at) {
-    key = (key ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15u;
-    key ^= key >> 29;
-  }
-  return key;
-}
-
-SpatialIndex::Grid::Range SpatialIndex::Grid::range_of(const Box3& box) const {
-  return {index_of(box.min()), index_of(box.max())};
-}
-
-/// Where a key is, or would be put.
-std::size_t SpatialIndex::Grid::place_of(std::uint64_t key) const {
-  const std::size_t mask = places_.size() - 1;
-  std::size_t i = key & mask;
-  while (places_[i].cell != 0 && places_[i].key != key) i = (i + 1) & mask;
-  return i;
-}
-
-const SpatialIndex::Cell* SpatialIndex::Grid::find(const Index& at) const {
-  const Place& place = places_[place_of(key_of(at))];
-  return place.cell == 0 ? nullptr : &cells_[place.cell - 1];
-}
-
 SpatialIndex::Cell& SpatialIndex::Grid::find_or_make(const Index& at) {
   const std::uint64_t key = key_of(at);
   std::size_t i = place_of(key);

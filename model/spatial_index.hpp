@@ -126,17 +126,33 @@ class SpatialIndex {
     template <class F>
     bool any_of(const Box3& box, F&& f) const;
 
-    static std::uint64_t key_of(const Index&);
+    static std::uint64_t key_of(const Index& at) {
+      std::uint64_t key = 0;
+      for (const std::int64_t i : at) {
+        key = (key ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15u;
+        key ^= key >> 29;
+      }
+      return key;
+    }
     std::int64_t index(double x) const {  // rounded down
       const double cells = x * per_width_;
       const auto i = static_cast<std::int64_t>(cells);
       return i - (static_cast<double>(i) > cells);
     }
     Index index_of(const Eigen::Vector3d& p) const { return {index(p.x()), index(p.y()), index(p.z())}; }
-    Range range_of(const Box3&) const;
-    const Cell* find(const Index&) const;
+    Range range_of(const Box3& box) const { return {index_of(box.min()), index_of(box.max())}; }
+    const Cell* find(const Index& at) const {
+      const Place& place = places_[place_of(key_of(at))];
+      return place.cell == 0 ? nullptr : &cells_[place.cell - 1];
+    }
     Cell& find_or_make(const Index&);
-    std::size_t place_of(std::uint64_t key) const;
+    /// Where a key is, or would be put.
+    std::size_t place_of(std::uint64_t key) const {
+      const std::size_t mask = places_.size() - 1;
+      std::size_t i = key & mask;
+      while (places_[i].cell != 0 && places_[i].key != key) i = (i + 1) & mask;
+      return i;
+    }
     void make_room();
 
     double width_, per_width_;
