@@ -8,6 +8,7 @@
 //     limpet_bench streams --shapes cube --points 10000000     one long stream, looked at on its way
 //     limpet_bench sizes --boxes 1,10,100                      cities, as many points for each face
 //     limpet_bench latency --boxes 200                         how long one set of 26 takes
+//     limpet_bench view --boxes 9,200,1000                     how long questions to a model take
 //     limpet_bench redundancy                                   the thresholds of thesis §2.9
 //     limpet_bench polyhedra --shapes cube,step_hole           whole polyhedra beside PolyFit's
 //     limpet_bench report --out DIR [--full]                   all of these: report.md, CSV files
@@ -46,6 +47,7 @@ Json answer(const Json& request) {
   if (what == "judgement") return answer_judgement(request);
   if (what == "stream") return answer_stream(request);
   if (what == "latency") return answer_latency(request);
+  if (what == "view") return answer_view(request);
   throw std::invalid_argument("no such measurement: " + what);
 }
 
@@ -66,6 +68,7 @@ struct Arguments {
   std::vector<std::string> orders{"shuffled", "raster"};
   SizeOptions sizes;
   LatencyOptions latency;
+  ViewOptions view;
   PolyhedraOptions polyhedra;
   RedundancyOptions redundancy;
   std::string request;
@@ -134,6 +137,13 @@ void add_latency(CLI::App& app, Arguments& args) {
   c->callback([&args] { show(measure_latency(args.latency, args.limits), args.csv); });
 }
 
+void add_view(CLI::App& app, Arguments& args) {
+  auto* c = app.add_subcommand("view", "How long questions to a model take, in cities");
+  c->add_option("--boxes", args.view.boxes)->delimiter(',');
+  c->add_option("--csv", args.csv);
+  c->callback([&args] { show(measure_view(args.view, args.limits), args.csv); });
+}
+
 void add_polyhedra(CLI::App& app, Arguments& args) {
   PolyhedraOptions& options = args.polyhedra;
   auto* c = app.add_subcommand("polyhedra", "Whole polyhedra, beside PolyFit's");
@@ -188,6 +198,7 @@ int run(int argc, char** argv) {
   add_streams(app, args);
   add_sizes(app, args);
   add_latency(app, args);
+  add_view(app, args);
   add_polyhedra(app, args);
   add_redundancy(app, args);
   add_report(app, args);

@@ -68,6 +68,16 @@ struct LatencyOptions {
 Table measure_latency(const LatencyOptions&, const Limits&);
 Json answer_latency(const Json& request);
 
+// ---- How long questions to a model take (view.cpp) -------------------------------------------------
+
+struct ViewOptions {
+  std::vector<int> boxes{9, 200, 1000};
+  std::int64_t points_per_face = 1000;
+};
+/// Questions of model::View, asked of cities as they stand after a scan, and finished.
+Table measure_view(const ViewOptions&, const Limits&);
+Json answer_view(const Json& request);
+
 // ---- Whole polyhedra beside PolyFit's (polyhedra.cpp) ----------------------------------------------
 
 struct PolyhedraOptions {

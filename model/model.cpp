@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/model/model.hpp>
 
+#include <limpet/model/view.hpp>
+
 #include "engine_internal.hpp"
 #include "open_edges_internal.hpp"
 #include "record_internal.hpp"
@@ -54,6 +56,8 @@ Counts Model::counts() const {
 ModelRecord Model::record() const { return internal::to_record(state_->engine); }
 
 std::string Model::state() const { return internal::to_state(state_->engine); }
+
+View Model::view() const { return View(state_->engine.complex); }
 
 Model Model::from_state(std::string_view bytes) {
   const internal::StoredState stored(bytes);

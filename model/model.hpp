@@ -36,6 +36,8 @@ struct Counts {
   std::int64_t redundant_by_count = 0, redundant_by_position = 0;  ///< segments deleted (thesis §2.9)
 };
 
+class View;
+
 /// An incremental planar polyhedral surface model (thesis chapter 2).
 ///
 ///     Model model({.resolution = 0.05, .noise = 0.001});
@@ -91,6 +93,8 @@ class Model {
   Counts counts() const;
   /// Everything, as plain data.
   ModelRecord record() const;
+  /// To be asked about places, segments and edges (view.hpp).
+  View view() const;
 
   /// All that what follows depends on, between two calls, as bytes: also what a record leaves out, as what is
   /// to be looked at next. The same model gives the same bytes. For this build of the program: what another

@@ -11,50 +11,6 @@ constexpr double kSpan = 2;    ///< cells that a box may be wide
 
 }  // namespace
 
-/// The cells that a box touches.
-struct SpatialIndex::Grid::Range {
-  Index low, high;
-
-  double count() const {
-    double n = 1;
-    for (std::size_t i = 0; i < 3; ++i) n *= static_cast<double>(high[i] - low[i] + 1);
-    return n;
-  }
-  template <class F>
-  void for_each(F&& f) const {
-    Index at{};
-    for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
-      for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
-        for (at[2] = low[2]; at[2] <= high[2]; ++at[2]) f(at);
-  }
-};
-
-std::uint64_t SpatialIndex::Grid::key_of(const Index& at) {
-  std::uint64_t key = 0;
-  for (const std::int64_t i : at) {
-    key = (key ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15u;
-    key ^= key >> 29;
-  }
-  return key;
-}
-
-SpatialIndex::Grid::Range SpatialIndex::Grid::range_of(const Box3& box) const {
-  return {index_of(box.min()), index_of(box.max())};
-}
-
-/// Where a key is, or would be put.
-std::size_t SpatialIndex::Grid::place_of(std::uint64_t key) const {
-  const std::size_t mask = places_.size() - 1;
-  std::size_t i = key & mask;
-  while (places_[i].cell != 0 && places_[i].key != key) i = (i + 1) & mask;
-  return i;
-}
-
-const SpatialIndex::Cell* SpatialIndex::Grid::find(const Index& at) const {
-  const Place& place = places_[place_of(key_of(at))];
-  return place.cell == 0 ? nullptr : &cells_[place.cell - 1];
-}
-
 SpatialIndex::Cell& SpatialIndex::Grid::find_or_make(const Index& at) {
   const std::uint64_t key = key_of(at);
   std::size_t i = place_of(key);
@@ -85,6 +41,7 @@ void SpatialIndex::Grid::make_room() {
 void SpatialIndex::Grid::insert(const Entry& entry) {
   range_of(entry.box).for_each([&](const Index& at) { find_or_make(at).push_back(entry); });
   ++size_;
+  bounds_.extend(entry.box);
 }
 
 void SpatialIndex::Grid::remove(const Entry& entry) {
@@ -100,24 +57,10 @@ void SpatialIndex::Grid::remove(const Entry& entry) {
 }
 
 void SpatialIndex::Grid::query(const Box3& box, std::vector<std::uint32_t>& found) const {
-  const Range range = range_of(box);
-  // An entry is in several cells; it is told where its first corner within the query lies.
-  const auto look = [&](const Cell& cell, const Index& at) {
-    for (const Entry& e : cell)
-      if (e.box.intersects(box) && index_of(e.box.min().cwiseMax(box.min())) == at) found.push_back(e.slot);
-  };
-  if (range.count() <= static_cast<double>(cells_.size())) {
-    range.for_each([&](const Index& at) {
-      if (const Cell* cell = find(at)) look(*cell, at);
-    });
-    return;
-  }
-  const auto corner_key = [&](const Entry& e) { return key_of(index_of(e.box.min().cwiseMax(box.min()))); };
-  for (const Place& place : places_) {
-    if (place.cell == 0) continue;
-    for (const Entry& e : cells_[place.cell - 1])
-      if (e.box.intersects(box) && corner_key(e) == place.key) found.push_back(e.slot);
-  }
+  any_of(box, [&](std::uint32_t slot) {
+    found.push_back(slot);
+    return false;
+  });
 }
 
 void SpatialIndex::Grid::query(const Eigen::Vector3d& p, std::vector<std::uint32_t>& found) const {
@@ -157,6 +100,25 @@ void SpatialIndex::query(const Eigen::Vector3d& point, std::vector<std::uint32_t
   found.clear();
   for (const Grid& grid : levels_)
     if (grid.size() > 0) grid.query(point, found);
+}
+
+std::pair<double, double> SpatialIndex::Ray::within(const Box3& box) const {
+  double first = -std::numeric_limits<double>::infinity(), last = -first;
+  for (int i = 0; i < 3; ++i) {
+    if (axis[i] == 0) {
+      if (from[i] < box.min()[i] || from[i] > box.max()[i]) return {1, 0};
+      continue;
+    }
+    const double t = (box.min()[i] - from[i]) / axis[i], u = (box.max()[i] - from[i]) / axis[i];
+    first = std::max(first, std::min(t, u)), last = std::min(last, std::max(t, u));
+  }
+  return {first, last};
+}
+
+Box3 SpatialIndex::bounds() const {
+  Box3 all;
+  for (const Grid& grid : levels_) all.extend(grid.bounds());
+  return all;
 }
 
 std::size_t SpatialIndex::size() const {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace limpet::model {
@@ -29,8 +32,36 @@ class SpatialIndex {
   /// Slots whose boxes hold `point`.
   void query(const Eigen::Vector3d& point, std::vector<std::uint32_t>& found) const;
   std::size_t size() const;
+  /// A box around all boxes there are, and maybe some that are gone; empty when none has been inserted.
+  Box3 bounds() const;
+
+  /// Calls f(slot) for the boxes that meet `box`, each once, in no particular order, until f returns true;
+  /// whether it did. `box` may be infinite. Allocates nothing.
+  template <class F>
+  bool any_of(const Box3& box, F&& f) const {
+    return std::any_of(levels_.begin(), levels_.end(),
+                       [&](const Grid& grid) { return grid.size() > 0 && grid.any_of_clipped(box, f); });
+  }
+
+  /// Walks along the ray from + t·axis, 0 ≤ t ≤ range, in pieces, level by level: calls f(slot, begin, end)
+  /// for the boxes that come within `slack` of the piece from t = begin to end, and maybe others near it. The
+  /// pieces of a level make up all t. f returns the range that is still of interest, at most the one before.
+  /// Where there are more pieces than boxes all boxes are named. Allocates nothing. Precondition: `axis` is a
+  /// unit vector; `slack` covers the rounding of coordinates along the ray.
+  template <class F>
+  void walk(const Eigen::Vector3d& from, const Eigen::Vector3d& axis, double range, double slack,
+            F&& f) const {
+    for (const Grid& grid : levels_)
+      if (grid.size() > 0) range = grid.walk({from, axis}, range, slack, f);
+  }
 
  private:
+  struct Ray {
+    Eigen::Vector3d from, axis;
+    Eigen::Vector3d at(double t) const { return from + t * axis; }
+    /// Where it is within the box, as [first, second]; first > second: nowhere.
+    std::pair<double, double> within(const Box3&) const;
+  };
   struct Entry {
     Box3 box;
     std::uint32_t slot = 0;
@@ -48,6 +79,15 @@ class SpatialIndex {
     void query(const Box3&, std::vector<std::uint32_t>& found) const;
     void query(const Eigen::Vector3d&, std::vector<std::uint32_t>& found) const;
     std::size_t size() const { return size_; }
+    const Box3& bounds() const { return bounds_; }
+
+    template <class F>
+    bool any_of_clipped(const Box3& asked, F&& f) const {
+      const Box3 box = asked.intersection(bounds_);
+      return !box.isEmpty() && any_of(box, f);
+    }
+    template <class F>
+    double walk(const Ray& ray, double range, double slack, F&& f) const;
 
    private:
     using Index = std::array<std::int64_t, 3>;
@@ -55,25 +95,71 @@ class SpatialIndex {
       std::uint64_t key = 0;
       std::uint32_t cell = 0;  ///< one more than the index in cells_; 0: the place is free
     };
-    struct Range;
+    /// The cells that a box touches.
+    struct Range {
+      Index low, high;
 
-    static std::uint64_t key_of(const Index&);
+      double count() const {
+        double n = 1;
+        for (std::size_t i = 0; i < 3; ++i) n *= static_cast<double>(high[i] - low[i] + 1);
+        return n;
+      }
+      template <class F>
+      bool any_of(F&& f) const {
+        Index at{};
+        for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
+          for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
+            for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
+              if (f(at)) return true;
+        return false;
+      }
+      template <class F>
+      void for_each(F&& f) const {
+        any_of([&](const Index& at) {
+          f(at);
+          return false;
+        });
+      }
+    };
+
+    /// Precondition: within 2⁶² smallest widths of the origin.
+    template <class F>
+    bool any_of(const Box3& box, F&& f) const;
+
+    static std::uint64_t key_of(const Index& at) {
+      std::uint64_t key = 0;
+      for (const std::int64_t i : at) {
+        key = (key ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15u;
+        key ^= key >> 29;
+      }
+      return key;
+    }
     std::int64_t index(double x) const {  // rounded down
       const double cells = x * per_width_;
       const auto i = static_cast<std::int64_t>(cells);
       return i - (static_cast<double>(i) > cells);
     }
     Index index_of(const Eigen::Vector3d& p) const { return {index(p.x()), index(p.y()), index(p.z())}; }
-    Range range_of(const Box3&) const;
-    const Cell* find(const Index&) const;
+    Range range_of(const Box3& box) const { return {index_of(box.min()), index_of(box.max())}; }
+    const Cell* find(const Index& at) const {
+      const Place& place = places_[place_of(key_of(at))];
+      return place.cell == 0 ? nullptr : &cells_[place.cell - 1];
+    }
     Cell& find_or_make(const Index&);
-    std::size_t place_of(std::uint64_t key) const;
+    /// Where a key is, or would be put.
+    std::size_t place_of(std::uint64_t key) const {
+      const std::size_t mask = places_.size() - 1;
+      std::size_t i = key & mask;
+      while (places_[i].cell != 0 && places_[i].key != key) i = (i + 1) & mask;
+      return i;
+    }
     void make_room();
 
     double width_, per_width_;
     std::vector<Place> places_;  ///< a power of two of them, at most half of them taken
     std::vector<Cell> cells_;
     std::size_t size_ = 0;
+    Box3 bounds_;  ///< of all boxes there have been
   };
 
   std::size_t level_of(const Box3&) const;
@@ -81,5 +167,54 @@ class SpatialIndex {
   double smallest_;
   std::vector<Grid> levels_;
 };
+
+template <class F>
+bool SpatialIndex::Grid::any_of(const Box3& box, F&& f) const {
+  const Range range = range_of(box);
+  // An entry is in several cells; it is told where its first corner within the box lies.
+  if (range.count() <= static_cast<double>(cells_.size()))
+    return range.any_of([&](const Index& at) {
+      const Cell* cell = find(at);
+      return cell && std::any_of(cell->begin(), cell->end(), [&](const Entry& e) {
+               return e.box.intersects(box) && index_of(e.box.min().cwiseMax(box.min())) == at && f(e.slot);
+             });
+    });
+  for (const Place& place : places_) {
+    if (place.cell == 0) continue;
+    for (const Entry& e : cells_[place.cell - 1])
+      if (e.box.intersects(box) && key_of(index_of(e.box.min().cwiseMax(box.min()))) == place.key &&
+          f(e.slot))
+        return true;
+  }
+  return false;
+}
+
+template <class F>
+double SpatialIndex::Grid::walk(const Ray& ray, double range, double slack, F&& f) const {
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(slack);
+  const auto [enters, leaves] = ray.within(Box3(bounds_.min() - margin, bounds_.max() + margin));
+  const double start = std::max(0.0, enters), stop = std::min(range, leaves);
+  if (!(start <= stop)) return range;
+  const auto look = [&](double from, double to, double begin, double end) {
+    const Eigen::Vector3d a = ray.at(from), b = ray.at(to);
+    any_of_clipped(Box3(a.cwiseMin(b) - margin, a.cwiseMax(b) + margin), [&](std::uint32_t slot) {
+      range = f(slot, begin, end);
+      return false;
+    });
+  };
+  const double pieces = (stop - start) * per_width_;
+  if (!(pieces < static_cast<double>(cells_.size()))) {
+    look(start, stop, -kAll, kAll);
+    return range;
+  }
+  double end = -kAll;
+  for (double i = 0; i <= pieces && end <= range; ++i) {
+    const double begin = end, from = start + i * width_, to = start + (i + 1) * width_;
+    end = i + 1 <= pieces ? to : kAll;
+    look(from, std::min(to, stop), begin, end);
+  }
+  return range;
+}
 
 }  // namespace limpet::model

@@ -1,0 +1,69 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// A ray through the model: it walks along the index, and each polygon whose box it enters is looked at there.
+#include "first_hit_internal.hpp"
+
+#include "outwards_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Where the ray enters the box, grown by `slack`; nothing when it passes by.
+std::optional<double> entry(const Box3& box, const Vector3d& from, const Vector3d& axis, double slack) {
+  double first = 0, last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const double low = box.min()[i] - slack - from[i], high = box.max()[i] + slack - from[i];
+    if (axis[i] == 0) {
+      if (low > 0 || high < 0) return std::nullopt;
+      continue;
+    }
+    const double t = low / axis[i], u = high / axis[i];
+    first = std::max(first, std::min(t, u)), last = std::min(last, std::max(t, u));
+  }
+  if (first > last) return std::nullopt;
+  return first;
+}
+
+/// Where the ray meets the polygon, if within `range`.
+std::optional<View::Hit> hit_of(const Segment& s, const Vector3d& from, const Vector3d& axis, double range) {
+  const Lifted polygon(*s.polygon);
+  const Vector3d place = polygon.place(from), along = polygon.direction(axis);
+  const double rise = polygon.rise(place), climb = polygon.climb(along);
+  if (climb == 0) return std::nullopt;
+  const double t = rise == 0 ? 0 : -rise / climb;
+  if (!(t >= 0 && t <= range)) return std::nullopt;
+  const geometry::Point2 at{place.x() + t * along.x(), place.y() + t * along.y()};
+  if (s.polygon->perimeter.locate(at) == geometry::Polygon::Side::outside) return std::nullopt;
+  return View::Hit{polygon.world(at), t, s.id, climb < 0};
+}
+
+}  // namespace
+
+std::optional<View::Hit> first_hit(const Complex& complex, const Vector3d& from, const Vector3d& axis,
+                                   double range, const Which& which, double rounding) {
+  std::optional<View::Hit> best;
+  const auto look = [&](const Segment& s) {
+    const auto hit = hit_of(s, from, axis, range);
+    if (!hit || (best && hit->range == best->range && !(hit->segment < best->segment))) return;
+    best = hit;
+    range = hit->range;
+  };
+  if (which.only) {
+    if (const Segment* s = the_only(complex, which); s && s->polygon) look(*s);
+    return best;
+  }
+  if (!which.polygons && !which.initial) return best;
+  complex.polygons().walk(from, axis, range, 2 * rounding, [&](std::uint32_t slot, double begin, double end) {
+    const Segment& s = complex.at(slot);
+    if (!is_asked(which, s)) return range;
+    // It comes up in every piece that is near it, and is looked at in the one where the ray enters its box.
+    const auto enters = entry(s.polygon->box, from, axis, rounding);
+    if (enters && *enters >= begin && *enters < end && *enters <= range) look(s);
+    return range;
+  });
+  return best;
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,130 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <cmath>
+
+#include "complex_internal.hpp"
+
+/// Lengths and places for questions about the model (view.hpp).
+namespace limpet::model::internal {
+
+/// Length of a vector. Never decreases where no coordinate does; over- and underflow only where the length
+/// itself does.
+inline double length(const Eigen::Vector3d& v) {
+  const auto root = [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); };
+  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (largest > 0x1p-400 && largest < 0x1p500) return root(v[0], v[1], v[2]);
+  // By powers of two, which scale all roundings alike.
+  if (largest >= 0x1p500) return 0x1p600 * root(0x1p-600 * v[0], 0x1p-600 * v[1], 0x1p-600 * v[2]);
+  return 0x1p-600 * root(0x1p600 * v[0], 0x1p600 * v[1], 0x1p600 * v[2]);
+}
+
+/// Between two boxes, by coordinate. For points p and q of them the length of the gap is at most that of
+/// p − q, as doubles.
+inline Eigen::Vector3d gap_between(const Box3& a, const Box3& b) {
+  return (b.min() - a.max()).cwiseMax(a.min() - b.max()).cwiseMax(0.0);
+}
+
+/// What holds a segment tightly.
+inline Box3 tight_box(const Segment& s) { return s.polygon ? s.polygon->box : Box3(s.fit.centroid); }
+
+/// More than coordinates that have to do with a question at `around` are rounded by, scan's unit: one grid
+/// step, for what belongs to the model (2^48 steps at most), and the rounding of what is farther away. What
+/// is ruled out by a bound is ruled out with this to spare.
+inline double rounding_near(const Complex& complex, const Box3& around) {
+  return complex.setting().step +
+         0x1p-48 * std::max(around.min().cwiseAbs().maxCoeff(), around.max().cwiseAbs().maxCoeff());
+}
+
+/// A polygon in the frame of its chart: coordinates along u, v and the chart's normal from its origin, in
+/// grid steps. There it is the perimeter (x, y) lifted to z = h(x, y), its published plane.
+class Lifted {
+ public:
+  explicit Lifted(const PolygonPart& part)
+      : part_(part), length_(std::sqrt(1 + part.published.squared_tilt())) {}
+
+  const geometry::Polygon& perimeter() const { return part_.perimeter; }
+  /// Unit normal of the plane, in the world.
+  Eigen::Vector3d normal() const { return part_.plane().normal; }
+
+  Eigen::Vector3d direction(const Eigen::Vector3d& world) const {
+    const geometry::Chart& c = part_.chart;
+    return Eigen::Vector3d(world.dot(c.u()), world.dot(c.v()), world.dot(c.normal())) / c.step();
+  }
+  Eigen::Vector3d place(const Eigen::Vector3d& world) const {
+    return direction(world - part_.chart.origin());
+  }
+
+  /// How far p is above the plane along the chart's normal.
+  double rise(const Eigen::Vector3d& p) const { return p.z() - part_.published({p.x(), p.y()}); }
+  /// The same of a direction: by how much it climbs away from the plane.
+  double climb(const Eigen::Vector3d& d) const {
+    return d.z() - (part_.published.hx * d.x() + part_.published.hy * d.y());
+  }
+  /// Distance from the plane, positive outside, of what rises so far above it.
+  double height(double rise) const { return rise / length_; }
+  /// The foot of the perpendicular from p on the plane, as a chart point.
+  geometry::Point2 foot(const Eigen::Vector3d& p, double rise) const {
+    const double t = rise / (length_ * length_);
+    return {p.x() + t * part_.published.hx, p.y() + t * part_.published.hy};
+  }
+  /// A chart point on the plane.
+  Eigen::Vector3d lifted(geometry::Point2 p) const { return {p.x, p.y, part_.published(p)}; }
+  /// The same in the world. Inside the segment's box, so that nothing is nearer than the box is; that moves
+  /// it by rounding only.
+  Eigen::Vector3d world(geometry::Point2 p) const { return in_box(part_.chart.at(p, part_.published(p))); }
+  Eigen::Vector3d in_box(const Eigen::Vector3d& world) const {
+    return world.cwiseMax(part_.box.min()).cwiseMin(part_.box.max());
+  }
+  /// Of two chart displacements, the product that they have on the plane.
+  double product(geometry::Point2 a, geometry::Point2 b) const {
+    const geometry::Lift& lift = part_.published;
+    return dot(a, b) + (lift.hx * a.x + lift.hy * a.y) * (lift.hx * b.x + lift.hy * b.y);
+  }
+  bool inside(geometry::Point2 p) const {
+    return part_.perimeter.locate(p) == geometry::Polygon::Side::inside;
+  }
+
+ private:
+  const PolygonPart& part_;
+  double length_;
+};
+
+/// What of a plane, or line, is within `limit` of a point at this height over it is within this distance of
+/// its foot; all lengths in one unit, with `slack` to spare.
+inline double reach_on_plane(double limit, double height, double slack) {
+  const double h = std::abs(height);
+  return std::sqrt(std::max(0.0, limit - h + slack) * (limit + h + slack)) + slack;
+}
+
+/// Looks at the edges of a perimeter from those near a chart box outwards: look(slot) returns how far edges
+/// are still of interest, at most `within`. Stops when all these, but for `slack`, have been looked at, some
+/// of them more than once. Chart distances, in grid steps: never more than distances on the lifted plane.
+template <class Look>
+void look_at_edges_near(const geometry::Polygon& perimeter, const geometry::Box2& from, double within,
+                        double slack, Look&& look) {
+  const geometry::Box2& box = perimeter.box();
+  const double gap_x = std::max({0.0, box.low.x - from.high.x, from.low.x - box.high.x});
+  const double gap_y = std::max({0.0, box.low.y - from.high.y, from.low.y - box.high.y});
+  const double gap = std::sqrt(gap_x * gap_x + gap_y * gap_y);
+  const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+  const auto edges = static_cast<double>(perimeter.edge_count());
+  // About as wide as a cell of the index; a perimeter without one is looked at as a whole at once.
+  double span = std::max(std::sqrt(width * height / edges), (width + height) / (4 * edges));
+  if (perimeter.edge_count() < geometry::EdgeIndex::kMinimum) span = within;
+  for (;;) {
+    const double reach = std::min(within, gap + span);
+    if (gap > reach + slack) return;
+    // Of the perimeter's box, what is within that distance.
+    const double x = reach_on_plane(reach, gap_y, slack), y = reach_on_plane(reach, gap_x, slack);
+    perimeter.any_edge_near({{from.low.x - x, from.low.y - y}, {from.high.x + x, from.high.y + y}},
+                            [&](geometry::Slot s) {
+                              within = std::min(within, look(s));
+                              return false;
+                            });
+    if (reach >= within || span > width + height) return;
+    span *= 3;
+  }
+}
+
+}  // namespace limpet::model::internal

@@ -1,0 +1,101 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <limpet/model/view.hpp>
+
+#include "complex_internal.hpp"
+#include "lifted_internal.hpp"
+
+/// Which segments to look at, those near a place first.
+namespace limpet::model::internal {
+
+inline View::Kind kind_of(const Segment& s) {
+  return !s.polygon ? View::Kind::point : s.initial() ? View::Kind::initial : View::Kind::polygon;
+}
+
+inline bool is_asked(const Which& which, const Segment& s) {
+  if (s.id == which.but || (which.only && s.id != which.only)) return false;
+  const View::Kind kind = kind_of(s);
+  return kind == View::Kind::point     ? which.points
+         : kind == View::Kind::initial ? which.initial
+                                       : which.polygons;
+}
+
+/// The segment that alone is asked about, if there is one and it is of the right kind.
+inline const Segment* the_only(const Complex& complex, const Which& which) {
+  const Segment* s = complex.find(which.only);
+  return s && is_asked(which, *s) ? s : nullptr;
+}
+
+/// Calls f(segment) for those of an index that are asked about and whose indexed boxes meet `box`.
+template <class F>
+void for_each_near(const Complex& complex, const SpatialIndex& index, const Which& which, const Box3& box,
+                   F&& f) {
+  index.any_of(box, [&](std::uint32_t slot) {
+    if (is_asked(which, complex.at(slot))) f(complex.at(slot));
+    return false;
+  });
+}
+
+/// The same of all segments.
+template <class F>
+void for_each_near(const Complex& complex, const Which& which, const Box3& box, F&& f) {
+  if (which.only) {
+    if (const Segment* s = the_only(complex, which)) f(*s);
+    return;
+  }
+  if (which.polygons || which.initial) for_each_near(complex, complex.polygons(), which, box, f);
+  if (which.points) for_each_near(complex, complex.points(), which, box, f);
+}
+
+inline Box3 grown(const Box3& box, double by) {
+  return {box.min() - Eigen::Vector3d::Constant(by), box.max() + Eigen::Vector3d::Constant(by)};
+}
+
+/// Looks at the segments of an index from those near a box outwards, first at those within `span` or where
+/// there are some; see look_outwards() below. How far away segments are then still of interest.
+template <class Look>
+double look_outwards(const Complex& complex, const SpatialIndex& index, const Which& which,
+                     const Box3& around, double span, double limit, double rounding, Look&& look) {
+  const Box3 all = index.bounds();
+  if (all.isEmpty()) return limit;
+  const double beyond = length(gap_between(around, all));
+  for (double seen = -1; seen < limit; span *= 2) {
+    const Box3 box = grown(around, std::min(beyond + span, limit) + rounding);
+    const double reach = box.contains(all) ? limit : beyond + span;
+    for_each_near(complex, index, which, box, [&](const Segment& s) {
+      const double gap = length(gap_between(around, tight_box(s)));
+      if (gap > seen && gap <= reach && gap <= limit) limit = std::min(limit, look(s));
+    });
+    seen = reach;
+  }
+  return limit;
+}
+
+/// Looks at the segments asked about from those near a box outwards: look(segment) returns how far away
+/// segments are still of interest, at most `limit`. Each of these is looked at once; none whose box is
+/// farther. Polygons first: they are found with less effort, and then few places are left for points.
+template <class Look>
+void look_outwards(const Complex& complex, const Which& which, const Box3& around, double limit,
+                   double rounding, Look&& look) {
+  if (which.only) {
+    const Segment* s = the_only(complex, which);
+    if (s && length(gap_between(around, tight_box(*s))) <= limit) look(*s);
+    return;
+  }
+  const double lambda = complex.setting().lambda;
+  if (which.polygons || which.initial)
+    limit = look_outwards(complex, complex.polygons(), which, around, 4 * lambda, limit, rounding, look);
+  if (which.points) look_outwards(complex, complex.points(), which, around, lambda, limit, rounding, look);
+}
+
+/// Looks at all segments asked about whose boxes are within `limit` of a box.
+template <class Look>
+void look_within(const Complex& complex, const Which& which, const Box3& around, double limit,
+                 double rounding, Look&& look) {
+  for_each_near(complex, which, grown(around, limit + rounding), [&](const Segment& s) {
+    if (length(gap_between(around, tight_box(s))) <= limit) look(s);
+  });
+}
+
+}  // namespace limpet::model::internal
