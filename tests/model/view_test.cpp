@@ -294,7 +294,7 @@ TEST(View, SegmentsByIdentityAndByBox) {
 }
 
 /// Identities on a scanned solid: all as the record, the changes and the list of surfaces have them.
-class ViewOfAScan : public testing::Test {
+class ViewOfAScan : public ::testing::Test {
  protected:
   ViewOfAScan()
       : scan(scanned("step_hole", 20'000, 0.001, simulation::ScanOptions::Order::shuffled)),
@@ -333,7 +333,9 @@ TEST_F(ViewOfAScan, EdgesAreThoseOfTheRecord) {
         EXPECT_EQ(by_id->partner, e.partner);
         EXPECT_EQ(by_id->from, e.from);
         if (!e.partner) open_ids.push_back(e.id);
-        if (e.partner) EXPECT_EQ(view.edge(e.partner).value().partner, e.id);
+        if (e.partner) {
+          EXPECT_EQ(view.edge(e.partner).value().partner, e.id);
+        }
       }
     EXPECT_EQ(i, edges.size());
     view.open_edges({s.id}, open);
@@ -382,11 +384,19 @@ TEST_F(ViewOfAScan, WhatIsGoneIsNotFound) {
     const View view = growing.view();
     for (const Change& c : changes) {
       if (c.kind == Change::Kind::edges_removed)
-        for (const auto edge : c.edges) EXPECT_FALSE(view.edge(edge));
-      if (c.kind == Change::Kind::deleted) EXPECT_FALSE(view.segment(c.first));
+        for (const auto edge : c.edges) {
+          EXPECT_FALSE(view.edge(edge));
+        }
+      if (c.kind == Change::Kind::deleted) {
+        EXPECT_FALSE(view.segment(c.first));
+      }
       if (c.kind != Change::Kind::merged) continue;
-      if (c.first != c.result) EXPECT_FALSE(view.segment(c.first));
-      if (c.second != c.result) EXPECT_FALSE(view.segment(c.second));
+      if (c.first != c.result) {
+        EXPECT_FALSE(view.segment(c.first));
+      }
+      if (c.second != c.result) {
+        EXPECT_FALSE(view.segment(c.second));
+      }
     }
     if (i > 26 * 200) break;
   }
