@@ -59,7 +59,7 @@ std::optional<View::Hit> first_hit(const Complex& complex, const Vector3d& from,
     const Segment& s = complex.at(slot);
     if (!is_asked(which, s)) return range;
     // It comes up in every piece that is near it, and is looked at in the one where the ray enters its box.
-    const auto enters = entry(s.polygon->box, from, axis, rounding);
+    const auto enters = entry(s.polygon->box, from, axis, room_around(complex, rounding));
     if (enters && *enters >= begin && *enters < end && *enters <= range) look(s);
     return range;
   });

@@ -8,24 +8,25 @@
 /// Lengths and places for questions about the model (view.hpp).
 namespace limpet::model::internal {
 
-/// Length of a vector. Never decreases where no coordinate does; over- and underflow only where the length
-/// itself does.
+/// Length of a vector; over- and underflow only where the length itself does.
 inline double length(const Eigen::Vector3d& v) {
   const auto root = [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); };
   const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
   if (largest > 0x1p-400 && largest < 0x1p500) return root(v[0], v[1], v[2]);
-  // By powers of two, which scale all roundings alike.
-  if (largest >= 0x1p500) return 0x1p600 * root(0x1p-600 * v[0], 0x1p-600 * v[1], 0x1p-600 * v[2]);
-  return 0x1p-600 * root(0x1p600 * v[0], 0x1p600 * v[1], 0x1p600 * v[2]);
+  const double scale = largest >= 0x1p500 ? 0x1p600 : 0x1p-600;
+  return scale * root(v[0] / scale, v[1] / scale, v[2] / scale);
 }
 
-/// Between two boxes, by coordinate. For points p and q of them the length of the gap is at most that of
-/// p − q, as doubles.
+/// Between two boxes, by coordinate.
 inline Eigen::Vector3d gap_between(const Box3& a, const Box3& b) {
   return (b.min() - a.max()).cwiseMax(a.min() - b.max()).cwiseMax(0.0);
 }
 
-/// What holds a segment tightly.
+inline Box3 grown(const Box3& box, double by) {
+  return {box.min() - Eigen::Vector3d::Constant(by), box.max() + Eigen::Vector3d::Constant(by)};
+}
+
+/// What holds a segment, but for rounding: that of a vertex may be beyond it by a grid step.
 inline Box3 tight_box(const Segment& s) { return s.polygon ? s.polygon->box : Box3(s.fit.centroid); }
 
 /// More than coordinates that have to do with a question at `around` are rounded by, scan's unit: one grid
@@ -34,6 +35,11 @@ inline Box3 tight_box(const Segment& s) { return s.polygon ? s.polygon->box : Bo
 inline double rounding_near(const Complex& complex, const Box3& around) {
   return complex.setting().step +
          0x1p-48 * std::max(around.min().cwiseAbs().maxCoeff(), around.max().cwiseAbs().maxCoeff());
+}
+
+/// How much boxes are grown before anything is ruled out by them.
+inline double room_around(const Complex& complex, double rounding) {
+  return complex.setting().lambda / 64 + rounding;
 }
 
 /// A polygon in the frame of its chart: coordinates along u, v and the chart's normal from its origin, in
@@ -70,12 +76,8 @@ class Lifted {
   }
   /// A chart point on the plane.
   Eigen::Vector3d lifted(geometry::Point2 p) const { return {p.x, p.y, part_.published(p)}; }
-  /// The same in the world. Inside the segment's box, so that nothing is nearer than the box is; that moves
-  /// it by rounding only.
-  Eigen::Vector3d world(geometry::Point2 p) const { return in_box(part_.chart.at(p, part_.published(p))); }
-  Eigen::Vector3d in_box(const Eigen::Vector3d& world) const {
-    return world.cwiseMax(part_.box.min()).cwiseMin(part_.box.max());
-  }
+  /// The same in the world.
+  Eigen::Vector3d world(geometry::Point2 p) const { return part_.chart.at(p, part_.published(p)); }
   /// Of two chart displacements, the product that they have on the plane.
   double product(geometry::Point2 a, geometry::Point2 b) const {
     const geometry::Lift& lift = part_.published;

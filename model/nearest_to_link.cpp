@@ -153,12 +153,6 @@ class AxisAndPolygon {
   std::array<Point2, 2> foot_{};
 };
 
-/// Clamped, so that no place on the axis is outside the box of its ends.
-Vector3d on_axis(const Capsule& link, double fraction) {
-  const Vector3d p = Piece{link.a, link.b}.at(fraction);
-  return p.cwiseMax(link.a.cwiseMin(link.b)).cwiseMin(link.a.cwiseMax(link.b));
-}
-
 std::optional<View::LinkNearest> nearest_on(const PolygonPart& part, const Capsule& link, double limit,
                                             double rounding) {
   const Lifted polygon(part);
@@ -167,8 +161,8 @@ std::optional<View::LinkNearest> nearest_on(const PolygonPart& part, const Capsu
   if (!found) return std::nullopt;
   View::LinkNearest result;
   result.fraction = found->fraction;
-  result.on_axis = on_axis(link, found->fraction);
-  result.at = found->crossing ? polygon.in_box(result.on_axis) : polygon.world(found->at);
+  result.on_axis = Piece{link.a, link.b}.at(found->fraction);
+  result.at = found->crossing ? result.on_axis : polygon.world(found->at);
   result.edge = found->edge;
   result.distance = length(result.at - result.on_axis);
   if (found->edge && result.distance > 0)
@@ -181,8 +175,9 @@ std::optional<View::LinkNearest> nearest_on(const PolygonPart& part, const Capsu
 View::LinkNearest nearest_on_point(const Segment& s, const Capsule& link) {
   View::LinkNearest result;
   result.at = s.fit.centroid;
-  result.fraction = Piece{link.a, link.b}.nearest(result.at);
-  result.on_axis = on_axis(link, result.fraction);
+  const Piece axis{link.a, link.b};
+  result.fraction = axis.nearest(result.at);
+  result.on_axis = axis.at(result.fraction);
   result.distance = length(result.at - result.on_axis);
   if (result.distance > 0)
     result.away = (result.on_axis - result.at) / result.distance;

@@ -31,8 +31,9 @@ inline const Segment* the_only(const Complex& complex, const Which& which) {
 template <class F>
 void for_each_near(const Complex& complex, const SpatialIndex& index, const Which& which, const Box3& box,
                    F&& f) {
+  const bool every = !which.but && !which.only && which.points && which.polygons && which.initial;
   index.any_of(box, [&](std::uint32_t slot) {
-    if (is_asked(which, complex.at(slot))) f(complex.at(slot));
+    if (every || is_asked(which, complex.at(slot))) f(complex.at(slot));
     return false;
   });
 }
@@ -48,8 +49,9 @@ void for_each_near(const Complex& complex, const Which& which, const Box3& box, 
   if (which.points) for_each_near(complex, complex.points(), which, box, f);
 }
 
-inline Box3 grown(const Box3& box, double by) {
-  return {box.min() - Eigen::Vector3d::Constant(by), box.max() + Eigen::Vector3d::Constant(by)};
+/// From a box to a segment's: no point of the segment is nearer to any point of the first one.
+inline double least_distance(const Complex& complex, const Box3& from, const Segment& s, double rounding) {
+  return length(gap_between(from, grown(tight_box(s), room_around(complex, rounding))));
 }
 
 /// Looks at the segments of an index from those near a box outwards, first at those within `span` or where
@@ -61,10 +63,10 @@ double look_outwards(const Complex& complex, const SpatialIndex& index, const Wh
   if (all.isEmpty()) return limit;
   const double beyond = length(gap_between(around, all));
   for (double seen = -1; seen < limit; span *= 2) {
-    const Box3 box = grown(around, std::min(beyond + span, limit) + rounding);
+    const Box3 box = grown(around, std::min(beyond + span, limit) + 2 * rounding);
     const double reach = box.contains(all) ? limit : beyond + span;
     for_each_near(complex, index, which, box, [&](const Segment& s) {
-      const double gap = length(gap_between(around, tight_box(s)));
+      const double gap = least_distance(complex, around, s, rounding);
       if (gap > seen && gap <= reach && gap <= limit) limit = std::min(limit, look(s));
     });
     seen = reach;
@@ -80,21 +82,21 @@ void look_outwards(const Complex& complex, const Which& which, const Box3& aroun
                    double rounding, Look&& look) {
   if (which.only) {
     const Segment* s = the_only(complex, which);
-    if (s && length(gap_between(around, tight_box(*s))) <= limit) look(*s);
+    if (s && least_distance(complex, around, *s, rounding) <= limit) look(*s);
     return;
   }
-  const double lambda = complex.setting().lambda;
+  const double first = 4 * complex.setting().lambda;
   if (which.polygons || which.initial)
-    limit = look_outwards(complex, complex.polygons(), which, around, 4 * lambda, limit, rounding, look);
-  if (which.points) look_outwards(complex, complex.points(), which, around, lambda, limit, rounding, look);
+    limit = look_outwards(complex, complex.polygons(), which, around, first, limit, rounding, look);
+  if (which.points) look_outwards(complex, complex.points(), which, around, first, limit, rounding, look);
 }
 
 /// Looks at all segments asked about whose boxes are within `limit` of a box.
 template <class Look>
 void look_within(const Complex& complex, const Which& which, const Box3& around, double limit,
                  double rounding, Look&& look) {
-  for_each_near(complex, which, grown(around, limit + rounding), [&](const Segment& s) {
-    if (length(gap_between(around, tight_box(s))) <= limit) look(s);
+  for_each_near(complex, which, grown(around, limit + 2 * rounding), [&](const Segment& s) {
+    if (least_distance(complex, around, s, rounding) <= limit) look(s);
   });
 }
 

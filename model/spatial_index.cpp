@@ -11,6 +11,33 @@ constexpr double kSpan = 2;    ///< cells that a box may be wide
 
 }  // namespace
 
+void SpatialIndex::Blocks::add(const Index& cell) {
+  const Index block = block_of(cell);
+  std::size_t i = place_of(block);
+  if (!places_[i].taken) {
+    if (2 * (taken_ + 1) > places_.size()) make_room(), i = place_of(block);
+    places_[i] = {block, 0, true};
+    ++taken_;
+  }
+  places_[i].cells |= bit_of(cell);
+}
+
+void SpatialIndex::Blocks::remove(const Index& cell) {
+  places_[place_of(block_of(cell))].cells &= ~bit_of(cell);
+}
+
+/// Forgets the blocks that have become empty, and takes a larger table if that was not enough.
+void SpatialIndex::Blocks::make_room() {
+  std::vector<Block> kept;
+  for (const Block& block : places_)
+    if (block.cells != 0) kept.push_back(block);
+  std::size_t size = 16;
+  while (size < 4 * (kept.size() + 1)) size *= 2;
+  places_.assign(size, {});
+  taken_ = kept.size();
+  for (const Block& block : kept) places_[place_of(block.at)] = block;
+}
+
 SpatialIndex::Cell& SpatialIndex::Grid::find_or_make(const Index& at) {
   const std::uint64_t key = key_of(at);
   std::size_t i = place_of(key);
@@ -39,7 +66,10 @@ void SpatialIndex::Grid::make_room() {
 }
 
 void SpatialIndex::Grid::insert(const Entry& entry) {
-  range_of(entry.box).for_each([&](const Index& at) { find_or_make(at).push_back(entry); });
+  range_of(entry.box).for_each([&](const Index& at) {
+    find_or_make(at).push_back(entry);
+    in_use_.add(at);
+  });
   ++size_;
   bounds_.extend(entry.box);
 }
@@ -51,7 +81,9 @@ void SpatialIndex::Grid::remove(const Entry& entry) {
         std::find_if(cell.begin(), cell.end(), [&](const Entry& e) { return e.slot == entry.slot; });
     *mine = cell.back();
     cell.pop_back();
-    if (cell.empty()) cell = Cell();  // `= {}` would keep the memory
+    if (!cell.empty()) return;
+    cell = Cell();  // `= {}` would keep the memory
+    in_use_.remove(at);
   });
   --size_;
 }

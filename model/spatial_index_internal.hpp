@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -68,6 +69,79 @@ class SpatialIndex {
   };
   using Cell = std::vector<Entry>;
 
+  using Index = std::array<std::int64_t, 3>;
+
+  /// The cells that a box touches.
+  struct Range {
+    Index low, high;
+
+    double count() const {
+      double n = 1;
+      for (std::size_t i = 0; i < 3; ++i) n *= static_cast<double>(high[i] - low[i] + 1);
+      return n;
+    }
+    template <class F>
+    bool any_of(F&& f) const {
+      Index at{};
+      for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
+        for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
+          for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
+            if (f(at)) return true;
+      return false;
+    }
+    template <class F>
+    void for_each(F&& f) const {
+      any_of([&](const Index& at) {
+        f(at);
+        return false;
+      });
+    }
+  };
+
+  static std::uint64_t key_of(const Index& at) {
+    std::uint64_t key = 0;
+    for (const std::int64_t i : at) {
+      key = (key ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15u;
+      key ^= key >> 29;
+    }
+    return key;
+  }
+
+  /// Which cells of a grid are in use, in blocks of 4 × 4 × 4 of them: where most are not, whoever looks
+  /// around goes from one in use to the next.
+  class Blocks {
+   public:
+    Blocks() : places_(16) {}
+    void add(const Index& cell);
+    void remove(const Index& cell);
+    /// Calls f(cell) for those in use in the range until it returns true; whether it did.
+    template <class F>
+    bool any_of(const Range& range, F&& f) const;
+
+   private:
+    struct Block {
+      Index at{};
+      std::uint64_t cells = 0;  ///< one bit each
+      bool taken = false;       ///< the place in the table is
+    };
+    static Index block_of(const Index& cell) { return {cell[0] >> 2, cell[1] >> 2, cell[2] >> 2}; }
+    static std::uint64_t bit_of(const Index& cell) {
+      return std::uint64_t{1} << ((cell[0] & 3) + 4 * (cell[1] & 3) + 16 * (cell[2] & 3));
+    }
+    std::size_t place_of(const Index& block) const {
+      const std::size_t mask = places_.size() - 1;
+      std::size_t i = key_of(block) & mask;
+      while (places_[i].taken && places_[i].at != block) i = (i + 1) & mask;
+      return i;
+    }
+    void make_room();
+    template <class F>
+    static bool any_of(const Block&, const Range&, F&& f);
+
+    std::vector<Block> places_;  ///< a power of two of them, at most half of them taken
+    std::size_t taken_ = 0;
+  };
+
   /// A grid that holds only cells in use, in an open-addressed table. Two cells whose keys happen to be the
   /// same share a place there, which costs time and nothing else.
   class Grid {
@@ -82,58 +156,19 @@ class SpatialIndex {
     const Box3& bounds() const { return bounds_; }
 
     template <class F>
-    bool any_of_clipped(const Box3& asked, F&& f) const {
-      const Box3 box = asked.intersection(bounds_);
-      return !box.isEmpty() && any_of(box, f);
-    }
+    bool any_of_clipped(const Box3& asked, F&& f) const;
     template <class F>
     double walk(const Ray& ray, double range, double slack, F&& f) const;
 
    private:
-    using Index = std::array<std::int64_t, 3>;
     struct Place {
       std::uint64_t key = 0;
       std::uint32_t cell = 0;  ///< one more than the index in cells_; 0: the place is free
     };
-    /// The cells that a box touches.
-    struct Range {
-      Index low, high;
-
-      double count() const {
-        double n = 1;
-        for (std::size_t i = 0; i < 3; ++i) n *= static_cast<double>(high[i] - low[i] + 1);
-        return n;
-      }
-      template <class F>
-      bool any_of(F&& f) const {
-        Index at{};
-        for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
-          for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
-            for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
-              if (f(at)) return true;
-        return false;
-      }
-      template <class F>
-      void for_each(F&& f) const {
-        any_of([&](const Index& at) {
-          f(at);
-          return false;
-        });
-      }
-    };
-
     /// Precondition: within 2⁶² smallest widths of the origin.
     template <class F>
     bool any_of(const Box3& box, F&& f) const;
 
-    static std::uint64_t key_of(const Index& at) {
-      std::uint64_t key = 0;
-      for (const std::int64_t i : at) {
-        key = (key ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15u;
-        key ^= key >> 29;
-      }
-      return key;
-    }
     std::int64_t index(double x) const {  // rounded down
       const double cells = x * per_width_;
       const auto i = static_cast<std::int64_t>(cells);
@@ -158,6 +193,7 @@ class SpatialIndex {
     double width_, per_width_;
     std::vector<Place> places_;  ///< a power of two of them, at most half of them taken
     std::vector<Cell> cells_;
+    Blocks in_use_;
     std::size_t size_ = 0;
     Box3 bounds_;  ///< of all boxes there have been
   };
@@ -185,6 +221,56 @@ bool SpatialIndex::Grid::any_of(const Box3& box, F&& f) const {
       if (e.box.intersects(box) && key_of(index_of(e.box.min().cwiseMax(box.min()))) == place.key &&
           f(e.slot))
         return true;
+  }
+  return false;
+}
+
+template <class F>
+bool SpatialIndex::Grid::any_of_clipped(const Box3& asked, F&& f) const {
+  const Box3 box = asked.intersection(bounds_);
+  const auto meet = [](const Box3& a, const Box3& b) {
+    return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();
+  };
+  return !box.isEmpty() && in_use_.any_of(range_of(box), [&](const Index& at) {
+    const Cell* cell = find(at);
+    return cell && std::any_of(cell->begin(), cell->end(), [&](const Entry& e) {
+             return meet(e.box, box) && index_of(e.box.min().cwiseMax(box.min())) == at && f(e.slot);
+           });
+  });
+}
+
+template <class F>
+bool SpatialIndex::Blocks::any_of(const Range& range, F&& f) const {
+  const Range blocks{block_of(range.low), block_of(range.high)};
+  if (blocks.count() <= static_cast<double>(taken_))
+    return blocks.any_of([&](const Index& at) {
+      const Block& block = places_[place_of(at)];
+      return block.cells != 0 && any_of(block, range, f);
+    });
+  return std::any_of(places_.begin(), places_.end(),
+                     [&](const Block& block) { return block.cells != 0 && any_of(block, range, f); });
+}
+
+template <class F>
+bool SpatialIndex::Blocks::any_of(const Block& block, const Range& range, F&& f) {
+  std::uint64_t wanted = block.cells;
+  constexpr std::array<std::uint64_t, 3> kAll{0xf, 0x1111, 0x1000100010001}, kStride{1, 4, 16};
+  std::uint64_t in_range = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int64_t first = 4 * block.at[i];
+    const std::int64_t from = std::max(range.low[i] - first, std::int64_t{0}),
+                       to = std::min(range.high[i] - first, std::int64_t{3});
+    if (from > to) return false;
+    // A bit for each of the layers from–to along this axis; their products are the cells.
+    const std::uint64_t layers = (kAll[i] << (kStride[i] * static_cast<std::uint64_t>(from))) &
+                                 (kAll[i] >> (kStride[i] * static_cast<std::uint64_t>(3 - to)));
+    in_range *= layers;
+  }
+  for (wanted &= in_range; wanted != 0; wanted &= wanted - 1) {
+    const std::int64_t bit = std::countr_zero(wanted);
+    if (f(Index{4 * block.at[0] + (bit & 3), 4 * block.at[1] + ((bit >> 2) & 3),
+                4 * block.at[2] + (bit >> 4)}))
+      return true;
   }
   return false;
 }

@@ -20,8 +20,8 @@ class Complex;
 
 /// Which segments a question is about.
 struct Which {
-  SegmentId only;        ///< if given, this one alone
-  SegmentId but;         ///< if given, not this one
+  SegmentId only{};      ///< if given, this one alone
+  SegmentId but{};       ///< if given, not this one
   bool polygons = true;  ///< planar polygon segments that represent sensor points
   bool points = true;    ///< point segments
   bool initial = true;   ///< polygons known beforehand (thesis §4.3)
