@@ -15,7 +15,7 @@ void Agenda::clear_modified() {
   modified_.clear();
 }
 
-void Agenda::description_changed(std::uint32_t slot, const Places& where, bool young) {
+void Agenda::description_changed(std::uint32_t slot, const DirtyRegion& where, bool young) {
   polygon(slot).changed.add(where);
   if (finishing || !young) look_for_neighbours(slot, where);
   mark_modified(slot);
@@ -36,7 +36,7 @@ void Agenda::wait_to_share(std::uint32_t slot) {
 }
 
 /// In turn, so that no pair waits for ever.
-std::pair<SlotPair, Places> Agenda::take_look() {
+std::pair<SlotPair, DirtyRegion> Agenda::take_look() {
   auto next = looks_due_.upper_bound(last_look_);
   if (next == looks_due_.end()) next = looks_due_.begin();
   last_look_ = next->first;

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "dirty_region_internal.hpp"
 #include "owned_internal.hpp"
-#include "places_internal.hpp"
 #include "segment_internal.hpp"
 #include "thresholds_internal.hpp"
 
@@ -31,9 +31,9 @@ struct SharingReach {
 
 /// What of a polygon is to be looked at.
 struct PolygonDue {
-  Places changed;     ///< dirty regions: where its description has changed since step 2 saw it
-  Places unshared;    ///< the same for step 4
-  PlacedEdges fresh;  ///< edges that step 3 has not looked at for fissures
+  DirtyRegion changed;   ///< dirty regions: where its description has changed since step 2 saw it
+  DirtyRegion unshared;  ///< the same for step 4
+  PlacedEdges fresh;     ///< edges that step 3 has not looked at for fissures
   std::vector<geometry::EdgeId> corners_due;  ///< shared edges that step 5 has not seen
   std::int64_t next_share = 0;                ///< count of its points at which step 4 looks at it again
   bool shared_later = false;                  ///< it waits in Agenda::share_later
@@ -62,9 +62,9 @@ class Agenda {
   void clear_modified();
 
   /// A polygon's description changed in `where` (world).
-  void description_changed(std::uint32_t slot, const Places& where, bool young);
+  void description_changed(std::uint32_t slot, const DirtyRegion& where, bool young);
   /// Step 4 is to look at a polygon there once more.
-  void look_for_neighbours(std::uint32_t slot, const Places& where) {
+  void look_for_neighbours(std::uint32_t slot, const DirtyRegion& where) {
     if (neighbours_) polygon(slot).unshared.add(where);
   }
   PolygonDue& polygon(std::uint32_t slot) { return *due_[slot].polygon; }
@@ -77,9 +77,9 @@ class Agenda {
   std::vector<std::uint32_t> take_to_share();
   void wait_to_share(std::uint32_t slot);
   /// A look at two polygons is due, and where.
-  Places& look_due(SlotPair pair) { return looks_due_[pair]; }
+  DirtyRegion& look_due(SlotPair pair) { return looks_due_[pair]; }
   bool looks_due() const { return !looks_due_.empty(); }
-  std::pair<SlotPair, Places> take_look();
+  std::pair<SlotPair, DirtyRegion> take_look();
   /// How many looks the next set may take, when so many sensor points have come in all.
   std::int64_t looks_for(std::int64_t points);
 
@@ -123,7 +123,7 @@ class Agenda {
   std::vector<Due> due_;  ///< by slot
   std::vector<std::uint32_t> modified_, to_share_;
   std::deque<std::uint32_t> share_later_;
-  std::map<SlotPair, Places> looks_due_;
+  std::map<SlotPair, DirtyRegion> looks_due_;
   SlotPair last_look_{};
   std::int64_t looked_at_ = 0;  ///< how many sensor points had come when the last set took its looks
   std::map<SegmentPair, std::pair<std::uint64_t, std::uint64_t>> refused_;

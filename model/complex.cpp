@@ -12,7 +12,7 @@ namespace limpet::model::internal {
 
 using geometry::EdgeId;
 
-Turn polygons_near(const Complex& complex, const Places& places, std::uint32_t but) {
+Turn polygons_near(const Complex& complex, const DirtyRegion& places, std::uint32_t but) {
   std::vector<std::uint32_t> found;
   query(complex.polygons(), places, found);
   Turn near;

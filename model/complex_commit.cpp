@@ -97,14 +97,14 @@ void Complex::perimeter_changed(Segment& s, std::span<const EdgeId> born) {
   BoundaryDifference difference = book_difference(s, false);
   for (const EdgeId edge : born)
     if (std::erase(difference.moved, edge) > 0) difference.appeared.push_back(edge);
-  const Places where = places_of(*s.polygon, difference.put);
+  const DirtyRegion where = region_of(*s.polygon, difference.put);
   extend_box(s, where);
   description_changed(s, where);
   reindex(s);
   tell(s, std::move(difference));
 }
 
-void Complex::extend_box(const Segment& s, const Places& where) {
+void Complex::extend_box(const Segment& s, const DirtyRegion& where) {
   for (const Box3& place : where.boxes()) mutable_of(s).polygon->box.extend(place);
 }
 
@@ -114,7 +114,7 @@ void Complex::count_area(PolygonPart& part) {
   part.counted_area = area;
 }
 
-void Complex::description_changed(const Segment& s, const Places& where) {
+void Complex::description_changed(const Segment& s, const DirtyRegion& where) {
   PolygonPart& part = *mutable_of(s).polygon;
   ++part.shape;
   if (!s.initial()) count_area(part);

@@ -121,9 +121,9 @@ class Complex {
   /// For edits that have been judged already.
   void commit_judged(const Transaction&);
   /// A polygon's description has changed in `where` (world).
-  void description_changed(const Segment&, const Places& where);
+  void description_changed(const Segment&, const DirtyRegion& where);
   /// Its box holds these places, too.
-  void extend_box(const Segment&, const Places& where);
+  void extend_box(const Segment&, const DirtyRegion& where);
   /// Names the edges that went, came and moved.
   void tell(const Segment&, BoundaryDifference&&);
   /// A new chart: the same perimeter, on it, and the plane. Edges keep their identities, or go.
@@ -205,6 +205,6 @@ Turn polygons_of(const Complex& complex, const Slots& slots, F&& has_turn) {
   return turn;
 }
 /// The polygon segments near these places, but for the one in this slot, by identity.
-Turn polygons_near(const Complex&, const Places&, std::uint32_t but);
+Turn polygons_near(const Complex&, const DirtyRegion&, std::uint32_t but);
 
 }  // namespace limpet::model::internal

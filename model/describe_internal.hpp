@@ -70,10 +70,10 @@ void describe(auto& archive, Is<Fit> auto& f) {
 void describe(auto& archive, Is<RawPoint> auto& r) {
   archive(r.at, r.axis, r.variance, r.returned, r.since, r.serial);
 }
-void describe(auto& archive, Is<Places> auto& places) {
+void describe(auto& archive, Is<DirtyRegion> auto& places) {
   describe_taken_apart(
       archive, places, [](const auto& p) { return p.boxes(); },
-      [](std::vector<Box3> boxes) { return Places::of_boxes(std::move(boxes)); });
+      [](std::vector<Box3> boxes) { return DirtyRegion::of_boxes(std::move(boxes)); });
 }
 void describe(auto& archive, Is<HeightMap::Sum> auto& sum) { archive(sum.count, sum.x, sum.y, sum.height); }
 void describe(auto& archive, Is<HeightMap> auto& map) {

@@ -27,7 +27,7 @@ bool fits(const Setting& setting, const RawPoint& raw, const Segment& polygon) {
 
 /// Does a point of the young segment that lies within λ of where the polygon has changed fit it now?
 bool fits_where_changed(const Setting& setting, const Segment& young, const Segment& polygon,
-                        const Places& changed) {
+                        const DirtyRegion& changed) {
   const auto& raw_points = young.data.raw();
   return std::any_of(raw_points.begin(), raw_points.end(), [&](const RawPoint& raw) {
     const Eigen::Vector3d p = setting.world(raw.at);
@@ -84,7 +84,7 @@ class Misfits {
 
  private:
   void add_young_near(const Segment& polygon, Turn& look) {
-    const Places& changed = agenda_.polygon(polygon.slot).changed;
+    const DirtyRegion& changed = agenda_.polygon(polygon.slot).changed;
     for (const SpatialIndex* index : {&complex_.polygons(), &complex_.points()}) {
       query(*index, changed, found_);
       for (const std::uint32_t near : found_)

@@ -13,7 +13,7 @@ namespace {
 bool fill(Complex& complex, Agenda& agenda, const Segment& s) {
   const PlacedEdges fresh = std::exchange(agenda.polygon(s.slot).fresh, {});
   if (fresh.empty()) return false;
-  const Places where = places_of(*s.polygon, fresh);
+  const DirtyRegion where = region_of(*s.polygon, fresh);
   auto [filled, difference] =
       complex.change_perimeter(s, true, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
         return geometry::fill_fissures(perimeter, fresh, complex.setting().gap, ids, complex.rules().holes);

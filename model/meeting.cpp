@@ -44,7 +44,7 @@ bool edge_meets(const Setting& setting, const PolygonPart& a, const geometry::Bo
 
 }  // namespace
 
-bool may_meet_where_changed(const Setting& setting, const Segment& s, const Places& changed,
+bool may_meet_where_changed(const Setting& setting, const Segment& s, const DirtyRegion& changed,
                             const Segment& other) {
   const PolygonPart &a = *s.polygon, &b = *other.polygon;
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(setting.lambda);

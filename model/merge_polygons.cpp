@@ -66,8 +66,8 @@ void remember_refusal(const Complex& complex, Agenda& agenda, const Segment& a, 
 }
 
 /// Where a merger changes what others see: at the new edges, and all over what was young before.
-Places changed_places(const Segment& a, const Segment& b, const PlacedEdges& put) {
-  Places places = places_of(*a.polygon, put);
+DirtyRegion changed_region(const Segment& a, const Segment& b, const PlacedEdges& put) {
+  DirtyRegion places = region_of(*a.polygon, put);
   for (const Segment* s : {&a, &b})
     if (s->young()) places.add(s->polygon->box);
   return places;
@@ -86,11 +86,11 @@ geometry::Merger merge_perimeters(const Setting& setting, geometry::Polygon& a, 
 
 /// All of b becomes a's, whose perimeter is already that of both: the difference is what that has done.
 /// Returns where the description has changed.
-Places take_over(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b,
-                 BoundaryDifference&& difference, const std::vector<geometry::EdgeId>& inherited) {
+DirtyRegion take_over(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b,
+                      BoundaryDifference&& difference, const std::vector<geometry::EdgeId>& inherited) {
   auto& corners_due = agenda.polygon(a.slot).corners_due;
   corners_due.insert(corners_due.end(), inherited.begin(), inherited.end());
-  Places where = changed_places(a, b, difference.put);
+  DirtyRegion where = changed_region(a, b, difference.put);
   complex.extend_box(a, where);
   where.add(agenda.polygon(b.slot).changed);
 
@@ -131,7 +131,7 @@ bool merge_polygon_segments(Complex& complex, Agenda& agenda, const Segment& s1,
   const std::uint64_t joins_before = part.perimeter.joins();
 
   auto merger = geometry::Merger::refused;
-  Places where;
+  DirtyRegion where;
   std::vector<geometry::EdgeId> inherited;
   complex.with_ends_apart([&] {
     auto [outcome, difference] =

@@ -31,7 +31,8 @@ bool merge_modified_polygons(Complex&, Agenda&);
 
 /// Does `other` come within the gap of `s`, or lie inside or around it, where s has changed? Never false when
 /// a merger could succeed there.
-bool may_meet_where_changed(const Setting&, const Segment& s, const Places& changed, const Segment& other);
+bool may_meet_where_changed(const Setting&, const Segment& s, const DirtyRegion& changed,
+                            const Segment& other);
 /// Is p within λ of the polygon?
 bool lies_near(const Setting&, const PolygonPart&, const Eigen::Vector3d& p);
 

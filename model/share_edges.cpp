@@ -76,7 +76,7 @@ bool may_share(const Agenda& agenda, const Segment& s) {
 
 /// The pieces of a window where the line comes near places where s has changed, and some way on.
 std::vector<LineWindow> changed_windows(double lambda, const SharingReach& sharing, const CommonLine& line,
-                                        const LineWindow& window, const Places& places) {
+                                        const LineWindow& window, const DirtyRegion& places) {
   const double on = kSectionReachOn * lambda;
   std::vector<LineWindow> result;
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(sharing.section * lambda);
@@ -96,7 +96,8 @@ std::vector<LineWindow> changed_windows(double lambda, const SharingReach& shari
   return joined;
 }
 
-bool share_pair(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b, const Places& places) {
+bool share_pair(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b,
+                const DirtyRegion& places) {
   if (agenda.in_disorder(a.id, b.id)) return false;
   const Setting& setting = complex.setting();
   const auto line = line_between(setting, *a.polygon, *b.polygon);
@@ -135,10 +136,10 @@ void note_looks_due(const Complex& complex, Agenda& agenda) {
     }
     PolygonDue& due = agenda.polygon(slot);
     due.next_share = s.count() + s.count() / kGrowthPart;
-    const Places changed = std::exchange(due.unshared, {});
+    const DirtyRegion changed = std::exchange(due.unshared, {});
     for (const auto& [other_id, other] : polygons_near(complex, changed, slot)) {
       if (!may_share(agenda, complex.at(other))) continue;
-      Places& where = agenda.look_due(std::minmax(slot, other));
+      DirtyRegion& where = agenda.look_due(std::minmax(slot, other));
       for (const Box3& place : changed.boxes())
         if (complex.at(other).indexed.intersects(place)) where.add(place);
     }

@@ -111,7 +111,7 @@ void mark_all(Engine& e) {
     const PolygonPart& part = *s.polygon;
     PolygonDue& due = e.agenda.polygon(s.slot);
     due.changed.add(part.box);
-    due.unshared = e.setting.parameters.neighbours ? Places(part.box) : Places();
+    due.unshared = e.setting.parameters.neighbours ? DirtyRegion(part.box) : DirtyRegion();
     due.corners_due = part.shared;
     due.fresh.clear();
     for_each_edge(part.perimeter,

@@ -1,11 +1,11 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include "places_internal.hpp"
+#include "dirty_region_internal.hpp"
 
 #include <algorithm>
 
 namespace limpet::model::internal {
 
-void Places::add(const Box3& place) {
+void DirtyRegion::add(const Box3& place) {
   constexpr std::size_t kMost = 32;
   if (place.isEmpty()) return;
   for (Box3& box : boxes_) {
@@ -20,19 +20,19 @@ void Places::add(const Box3& place) {
     boxes_.push_back(place);
 }
 
-void query(const SpatialIndex& index, const Places& places, std::vector<std::uint32_t>& found) {
+void query(const SpatialIndex& index, const DirtyRegion& places, std::vector<std::uint32_t>& found) {
   found.clear();
-  std::vector<std::uint32_t> some;
-  for (const Box3& box : places.boxes()) {
-    index.query(box, some);
-    found.insert(found.end(), some.begin(), some.end());
-  }
+  for (const Box3& box : places.boxes())
+    index.any_of(box, [&](std::uint32_t slot) {
+      found.push_back(slot);
+      return false;
+    });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-Places places_of(const PolygonPart& part, const PlacedEdges& edges) {
-  Places places;
+DirtyRegion region_of(const PolygonPart& part, const PlacedEdges& edges) {
+  DirtyRegion places;
   for (const auto& [slot, edge] : edges) {
     if (!part.perimeter.alive(slot)) continue;
     Box3 box(part.position(slot));

@@ -1,0 +1,40 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "segment_internal.hpp"
+
+namespace limpet::model::internal {
+
+/// Where something has changed and is to be looked at again: a few boxes in the world. Near ones are joined,
+/// so that a change here and one far away do not ask for a look at all that lies between.
+class DirtyRegion {
+ public:
+  DirtyRegion() = default;
+  DirtyRegion(const Box3& place) { add(place); }  // NOLINT(google-explicit-constructor): a box is a region
+  /// What boxes() told.
+  static DirtyRegion of_boxes(std::vector<Box3> boxes) {
+    DirtyRegion region;
+    region.boxes_ = std::move(boxes);
+    return region;
+  }
+  void add(const Box3& place);
+  void add(const DirtyRegion& other) {
+    for (const Box3& place : other.boxes_) add(place);
+  }
+  void clear() { boxes_.clear(); }
+  bool empty() const { return boxes_.empty(); }
+  const std::vector<Box3>& boxes() const { return boxes_; }
+
+ private:
+  std::vector<Box3> boxes_;
+};
+
+/// Slots of segments near the region, in ascending order.
+void query(const SpatialIndex&, const DirtyRegion&, std::vector<std::uint32_t>& found);
+/// Where those of the edges lie that are still there.
+DirtyRegion region_of(const PolygonPart&, const PlacedEdges&);
+
+}  // namespace limpet::model::internal
