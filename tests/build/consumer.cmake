@@ -63,3 +63,9 @@ if(NOT said MATCHES "^resolution [^\n]+\nnoise [^\n]+\ntolerance [^\n]+\n6 polyg
   message(FATAL_ERROR "the consumer found '${said}' in a cube")
 endif()
 run(COMMAND ${limpet} check ${WORK}/cube_example.limpet)
+
+# A corner of the unit cube about the origin is half a diagonal from a place above the middle of its top.
+run(COMMAND ${WORK}/build/ask_a_model ${WORK}/cube_example.limpet 0.5 0.5 1.25)
+if(NOT output MATCHES "^segment [0-9]+ is 0.2[45][0-9]* away\nbelow, segment [0-9]+ at 0.2[45][0-9]*\n0 edges are open; finishing would leave 0\n$")
+  message(FATAL_ERROR "asked about a cube, the consumer said '${output}'")
+endif()

@@ -1,6 +1,9 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // What a const Model is asked, by several threads at once.
+#include <limpet/model/view.hpp>
+#include <limpet/survey/random.hpp>
+
 #include "../model/streams.hpp"
 #include "readers.hpp"
 
@@ -41,9 +44,52 @@ Answer counts(const Model& model) {
   return answer;
 }
 
+Answer labels(const Model& model) {
+  Answer answer;
+  for (const SegmentId id : model.labels()) answer.push_back(static_cast<double>(id.value));
+  return answer;
+}
+
+Answer state(const Model& model) {
+  const std::string bytes = model.state();
+  return {bytes.begin(), bytes.end()};
+}
+
+Answer outcome(const Model& model) {
+  Answer answer;
+  for (const Outcome::Edge& e : model.would_finish().edges)
+    answer.insert(answer.end(), {static_cast<double>(e.edge.value), static_cast<double>(e.closes),
+                                 static_cast<double>(e.refusal)});
+  return answer;
+}
+
+/// Of the window: places and links all over the model, rays through it, and every edge.
+Answer view(const Model& model) {
+  const View view = model.view();
+  Answer answer;
+  survey::Random random(7);
+  std::vector<View::Edge> edges;
+  view.open_edges(edges);
+  for (const View::Edge& e : edges)
+    answer.insert(answer.end(), {e.from.x(), e.to.y(), static_cast<double>(e.next.value)});
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Vector3d p(random.uniform(-1, 4), random.uniform(-1, 4), random.uniform(-0.5, 1.5));
+    const Eigen::Vector3d axis(random.uniform(-1, 1), random.uniform(-1, 1), -1);
+    if (const auto found = view.nearest(p, 5)) {
+      answer.insert(answer.end(), {found->distance, static_cast<double>(found->edge.value)});
+      answer.push_back(static_cast<double>(view.surface_of(found->segment).value));
+    }
+    if (const auto found = view.nearest(Capsule{p, p + axis, 0.05}, 5)) answer.push_back(found->distance);
+    if (const auto hit = view.first_hit(p, axis, 5)) answer.push_back(hit->range);
+  }
+  return answer;
+}
+
 void expect_readers_agree(const Model& model) {
   threads::expect_same_answers({[&] { return open_edges(model); }, [&] { return record(model); },
-                                [&] { return surfaces(model); }, [&] { return counts(model); }});
+                                [&] { return surfaces(model); }, [&] { return counts(model); },
+                                [&] { return labels(model); }, [&] { return state(model); },
+                                [&] { return view(model); }, [&] { return outcome(model); }});
 }
 
 /// In the middle of a stream, with much still to do, and at its end.
@@ -51,6 +97,7 @@ TEST(ModelReaders, OfACity) {
   const testing::Scan scan =
       testing::scanned("city:4", 6000, 0.0005, simulation::ScanOptions::Order::shuffled);
   Model model(scan.parameters);
+  model.keep_labels();
   testing::feed(model, scan.points);
   expect_readers_agree(model);
   model.finish();
