@@ -13,12 +13,14 @@ namespace limpet::model::internal {
 using geometry::EdgeId;
 
 Turn polygons_near(const Complex& complex, const DirtyRegion& places, std::uint32_t but) {
-  std::vector<std::uint32_t> found;
-  query(complex.polygons(), places, found);
   Turn near;
-  for (const std::uint32_t slot : found)
-    if (slot != but) near.emplace_back(complex.at(slot).id, slot);
+  for (const Box3& box : places.boxes())
+    complex.polygons().any_of(box, [&](std::uint32_t slot) {
+      if (slot != but) near.emplace_back(complex.at(slot).id, slot);
+      return false;
+    });
   std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
   return near;
 }
 

@@ -13,13 +13,12 @@ namespace {
 
 /// Points of point segments around a new polygon may fit it now: each tries again on its own.
 void release_neighbours(Complex& complex, PendingPoints& pending, const Segment& polygon) {
-  std::vector<std::uint32_t> found;
-  complex.points().query(polygon.indexed, found);
-  std::vector<std::pair<SegmentId, std::uint32_t>> near;
-  for (const std::uint32_t slot : found) {
+  Turn near;
+  complex.points().any_of(polygon.indexed, [&](std::uint32_t slot) {
     const Segment& s = complex.at(slot);
     if (s.young() && polygon.indexed.contains(s.fit.centroid)) near.emplace_back(s.id, slot);
-  }
+    return false;
+  });
   std::sort(near.begin(), near.end());
   for (const auto& [id, slot] : near) release_points(complex, pending, complex.at(slot), false);
 }
@@ -34,14 +33,13 @@ void become_polygon(Complex& complex, PendingPoints& pending, const Segment& s,
 std::vector<const Segment*> young_points_around(const Complex& complex, const Segment& seed) {
   const double lambda = complex.setting().lambda, reach = 2 * lambda;
   // Indexed boxes reach λ beyond what they hold.
-  std::vector<std::uint32_t> found;
-  complex.points().query(box_around(seed.fit.centroid, reach - lambda), found);
   std::vector<std::pair<double, const Segment*>> near;
-  for (const std::uint32_t slot : found) {
+  complex.points().any_of(box_around(seed.fit.centroid, reach - lambda), [&](std::uint32_t slot) {
     const Segment& s = complex.at(slot);
     const double distance2 = (s.fit.centroid - seed.fit.centroid).squaredNorm();
     if (&s != &seed && s.young() && distance2 < reach * reach) near.emplace_back(distance2, &s);
-  }
+    return false;
+  });
   std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first < b.first : a.second->id < b.second->id;
   });

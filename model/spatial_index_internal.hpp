@@ -228,10 +228,14 @@ bool SpatialIndex::Grid::any_of(const Box3& box, F&& f) const {
 template <class F>
 bool SpatialIndex::Grid::any_of_clipped(const Box3& asked, F&& f) const {
   const Box3 box = asked.intersection(bounds_);
+  // A few cells are looked up one by one; where they are many, most are not in use.
+  constexpr double kFew = 64;
+  if (box.isEmpty()) return false;
+  if (range_of(box).count() <= kFew) return any_of(box, f);
   const auto meet = [](const Box3& a, const Box3& b) {
     return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();
   };
-  return !box.isEmpty() && in_use_.any_of(range_of(box), [&](const Index& at) {
+  return in_use_.any_of(range_of(box), [&](const Index& at) {
     const Cell* cell = find(at);
     return cell && std::any_of(cell->begin(), cell->end(), [&](const Entry& e) {
              return meet(e.box, box) && index_of(e.box.min().cwiseMax(box.min())) == at && f(e.slot);
