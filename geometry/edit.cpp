@@ -12,21 +12,32 @@ namespace limpet::geometry {
 using internal::as_span;
 using internal::SmallVector;
 
-Polygon::Difference::Difference(const Polygon& polygon, const Edit& edit) {
-  for (const Chain& chain : edit.chains) starts.push_back(chain.from), ends.push_back(chain.to);
-  for (auto* slots : {&starts, &ends}) {
+void Polygon::Difference::note_ends_of_chains(const Edit& edit) {
+  if (edit.chains.size() == 1) {
+    start_ = edit.chains.front().from, end_ = edit.chains.front().to;
+    return;
+  }
+  for (const Chain& chain : edit.chains) starts_.push_back(chain.from), ends_.push_back(chain.to);
+  for (auto* slots : {&starts_, &ends_}) {
     std::sort(slots->begin(), slots->end());
     broken |= std::adjacent_find(slots->begin(), slots->end()) != slots->end();
   }
+}
+
+Polygon::Difference::Difference(const Polygon& polygon, const Edit& edit) {
+  note_ends_of_chains(edit);
   std::uint64_t next_key = polygon.slot_count();  // keys of old vertices are their slots
   for (const Chain& chain : edit.chains) {
     if (broken) return;
     add_chain(polygon, chain, next_key);
   }
   for (const CycleId id : edit.removed_cycles) remove_cycle(polygon, id);
-  sorted_removed_ = removed_edges;
-  std::sort(sorted_removed_.begin(), sorted_removed_.end());
-  broken |= std::adjacent_find(sorted_removed_.begin(), sorted_removed_.end()) != sorted_removed_.end();
+  // One chain alone removes no edge twice.
+  if (edit.chains.size() + edit.removed_cycles.size() > 1 || removed_edges.size() > 8) {
+    sorted_removed_ = removed_edges;
+    std::sort(sorted_removed_.begin(), sorted_removed_.end());
+    broken |= std::adjacent_find(sorted_removed_.begin(), sorted_removed_.end()) != sorted_removed_.end();
+  }
   if (broken) return;
   for (const auto& loop : edit.loops) add_loop(loop, next_key);
   for (const auto& [p, q] : sweep) box.add(p), box.add(q);

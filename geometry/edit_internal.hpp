@@ -27,28 +27,34 @@ struct Polygon::Difference {
   internal::SmallVector<KeyedEdge, 8> new_edges;
   /// Removed and new edges together: by the even-odd rule they bound the region that changes sides.
   internal::SmallVector<Segment2, 16> sweep;
-  internal::SmallVector<Slot, 4> starts, ends;  ///< of the chains, sorted
   std::vector<Run> runs;  ///< one behind each chain, at most one of them not walked; empty until needed
   Box2 box;               ///< of the sweep
   bool broken = false;    ///< chains or removed cycles overlap; the rest is then incomplete
 
   bool removes(Slot edge) const {
-    const Slot *first = sorted_removed_.data(), *last = first + sorted_removed_.size();
-    if (last - first > 8) return std::binary_search(first, last, edge);
-    while (first != last && *first < edge) ++first;  // faster for the usual two or three
-    return first != last && *first == edge;
+    if (!sorted_removed_.empty())
+      return std::binary_search(sorted_removed_.begin(), sorted_removed_.end(), edge);
+    const Slot *first = removed_edges.data(), *last = first + removed_edges.size();
+    while (first != last && *first != edge) ++first;  // faster for the usual two or three
+    return first != last;
   }
-  bool starts_at(Slot s) const { return std::binary_search(starts.begin(), starts.end(), s); }
-  bool ends_at(Slot s) const { return std::binary_search(ends.begin(), ends.end(), s); }
+  bool starts_at(Slot s) const { return is_among(s, start_, starts_); }
+  bool ends_at(Slot s) const { return is_among(s, end_, ends_); }
 
  private:
+  static bool is_among(Slot s, Slot only, const internal::SmallVector<Slot, 4>& sorted) {
+    return sorted.empty() ? s == only : std::binary_search(sorted.begin(), sorted.end(), s);
+  }
+  void note_ends_of_chains(const Edit&);
   void remove_edge(const Polygon&, Slot);
   void add_edge(Point2 a, Point2 b, std::uint64_t key_a, std::uint64_t key_b);
   void add_chain(const Polygon&, const Chain&, std::uint64_t& next_key);
   void remove_cycle(const Polygon&, CycleId);
   void add_loop(const std::vector<NewVertex>&, std::uint64_t& next_key);
 
-  internal::SmallVector<Slot, 8> sorted_removed_;
+  Slot start_ = kNoSlot, end_ = kNoSlot;           ///< of the chain, if there is only one
+  internal::SmallVector<Slot, 4> starts_, ends_;   ///< else those of all, sorted
+  internal::SmallVector<Slot, 8> sorted_removed_;  ///< where they are not few edges of one chain
 };
 
 }  // namespace limpet::geometry

@@ -46,7 +46,7 @@ class Mirror {
   struct Edge {
     SegmentId segment;
     geometry::EdgeId next, previous, partner;
-    Eigen::Vector3d from, to;
+    Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();
   };
 
   void apply(const Change& c, std::set<geometry::EdgeId>& named) {
@@ -75,7 +75,7 @@ class Mirror {
       case Change::Kind::edges_created:
       case Change::Kind::edges_moved:
         for (const auto id : c.edges)
-          edges_.try_emplace(id, Edge{c.result, {}, {}, {}, {}, {}}), named.insert(id);
+          edges_.try_emplace(id).first->second.segment = c.result, named.insert(id);
         break;
       case Change::Kind::shared:
         edges_[c.edges[0]].partner = c.edges[1], edges_[c.edges[1]].partner = c.edges[0];

@@ -120,7 +120,7 @@ class TrueSegment {
 
 /// All of a model.
 struct TrueModel {
-  explicit TrueModel(const ModelRecord& r) : resolution(r.resolution) {
+  explicit TrueModel(const ModelRecord& r) : resolution(r.parameters.resolution) {
     for (const auto& s : r.point_segments) segments.emplace_back(s, r.grid_step);
     for (const auto& s : r.polygon_segments) segments.emplace_back(s, r.grid_step);
     std::sort(segments.begin(), segments.end(), [](const auto& a, const auto& b) { return a.id() < b.id(); });
