@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <array>
 #include <limpet/model/view.hpp>
 
 #include "complex_internal.hpp"
@@ -54,6 +55,25 @@ inline double least_distance(const Complex& complex, const Box3& from, const Seg
   return length(gap_between(from, grown(tight_box(s), room_around(complex, rounding))));
 }
 
+/// Some segments, and how near they may be; to be looked at by that.
+class Candidates {
+ public:
+  bool full() const { return size_ == all_.size(); }
+  void add(double least, const Segment& s) { all_[size_++] = {least, &s}; }
+  /// Calls f(least, segment), the nearest first, and forgets them.
+  template <class F>
+  void take_in_order(F&& f) {
+    const auto end = all_.begin() + static_cast<std::ptrdiff_t>(size_);
+    std::sort(all_.begin(), end, [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::for_each(all_.begin(), end, [&](const auto& c) { f(c.first, *c.second); });
+    size_ = 0;
+  }
+
+ private:
+  std::array<std::pair<double, const Segment*>, 16> all_;
+  std::size_t size_ = 0;
+};
+
 /// Looks at the segments of an index from those near a box outwards, first at those within `span` or where
 /// there are some; see look_outwards() below. How far away segments are then still of interest.
 template <class Look>
@@ -62,13 +82,22 @@ double look_outwards(const Complex& complex, const SpatialIndex& index, const Wh
   const Box3 all = index.bounds();
   if (all.isEmpty()) return limit;
   const double beyond = length(gap_between(around, all));
+  Candidates near;
+  const auto look_at_them = [&] {
+    near.take_in_order([&](double least, const Segment& s) {
+      if (least <= limit) limit = std::min(limit, look(s));
+    });
+  };
   for (double seen = -1; seen < limit; span *= 2) {
     const Box3 box = grown(around, std::min(beyond + span, limit) + 2 * rounding);
     const double reach = box.contains(all) ? limit : beyond + span;
     for_each_near(complex, index, which, box, [&](const Segment& s) {
       const double gap = least_distance(complex, around, s, rounding);
-      if (gap > seen && gap <= reach && gap <= limit) limit = std::min(limit, look(s));
+      if (gap <= seen || gap > reach || gap > limit) return;
+      if (near.full()) look_at_them();
+      near.add(gap, s);
     });
+    look_at_them();
     seen = reach;
   }
   return limit;

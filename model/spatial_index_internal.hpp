@@ -71,6 +71,10 @@ class SpatialIndex {
 
   using Index = std::array<std::int64_t, 3>;
 
+  static bool same(const Index& a, const Index& b) {  // a[0] differs most often
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+  }
+
   /// The cells that a box touches.
   struct Range {
     Index low, high;
@@ -131,7 +135,7 @@ class SpatialIndex {
     std::size_t place_of(const Index& block) const {
       const std::size_t mask = places_.size() - 1;
       std::size_t i = key_of(block) & mask;
-      while (places_[i].taken && places_[i].at != block) i = (i + 1) & mask;
+      while (places_[i].taken && !same(places_[i].at, block)) i = (i + 1) & mask;
       return i;
     }
     void make_room();
@@ -228,19 +232,20 @@ bool SpatialIndex::Grid::any_of(const Box3& box, F&& f) const {
 template <class F>
 bool SpatialIndex::Grid::any_of_clipped(const Box3& asked, F&& f) const {
   const Box3 box = asked.intersection(bounds_);
-  // A few cells are looked up one by one; where they are many, most are not in use.
-  constexpr double kFew = 64;
-  if (box.isEmpty()) return false;
-  if (range_of(box).count() <= kFew) return any_of(box, f);
   const auto meet = [](const Box3& a, const Box3& b) {
     return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();
   };
-  return in_use_.any_of(range_of(box), [&](const Index& at) {
+  if (box.isEmpty()) return false;
+  const auto look = [&](const Index& at) {
     const Cell* cell = find(at);
     return cell && std::any_of(cell->begin(), cell->end(), [&](const Entry& e) {
-             return meet(e.box, box) && index_of(e.box.min().cwiseMax(box.min())) == at && f(e.slot);
+             return meet(e.box, box) && same(index_of(e.box.min().cwiseMax(box.min())), at) && f(e.slot);
            });
-  });
+  };
+  // Of so few cells it costs no more to try them all.
+  constexpr double kFew = 8;
+  const Range range = range_of(box);
+  return range.count() <= kFew ? range.any_of(look) : in_use_.any_of(range, look);
 }
 
 template <class F>
