@@ -18,24 +18,25 @@ struct SegmentId {
 
 /// What one call did to the model, in the order it happened.
 ///
-/// Who applies the changes to a copy has the model: a copy of its segments, and for each edge by its identity
-/// the segment, the neighbours on the perimeter, the partner, and where its ends are. Edges are named when
-/// they go, come, or are elsewhere; where they are now is asked of the model when the call is over. So
-///   - edges of a segment that merged are those of `result`, unless they are named as removed;
+/// A caller that applies the changes can keep a copy of the model: its segments, and for each edge, by
+/// identity, its segment, the edges before and after it, its partner, and its ends. A change names the edges
+/// that were removed, created or moved; where they are now, the caller asks the model (View::edge()) after
+/// the call. So
+///   - edges of a segment that merged belong to `result`, unless they are named as removed;
 ///   - edges of a segment that was deleted are gone;
-///   - an edge may be named more than once, and be gone when the call is over.
+///   - an edge may be named more than once, and may be gone when the call is over.
 struct Change {
   enum class Kind {
     created,         ///< segment `result` is new (a point segment, or an initial one)
-    became_polygon,  ///< point segment `result` is a planar polygon segment now
-    merged,          ///< `first` and `second` are `result` now (which may be `first`)
-    deleted,         ///< segment `first` is gone: dissolved, redundant, or given up as an outlier
-    edges_removed,   ///< edges of `result` lost their identities
+    became_polygon,  ///< segment `result` is a planar polygon segment now (also told of initial ones)
+    merged,          ///< `first` and `second` have become `result` (which may be `first`)
+    deleted,         ///< segment `first` is gone: dissolved, redundant, or given up as outliers
+    edges_removed,   ///< edges of `result` are gone, with their identities
     edges_created,   ///< edges of `result` that are new
-    edges_moved,     ///< edges of `result` with an end elsewhere, or that come from another segment
-    shared,          ///< the two edges, of `first` and `second`, are a corresponding pair
-    unshared,        ///< they are none any more
-    corner_formed,   ///< of the neighbour relation, by these edges
+    edges_moved,     ///< edges of `result` with a moved end, or that came from another segment
+    shared,          ///< the two edges, on `first` and on `second`, are a corresponding pair now
+    unshared,        ///< the two edges, on `first` and on `second`, are a pair no more
+    corner_formed,   ///< around a ring of segments, which begins with `first` and `second`: an edge of each
   };
   Kind kind;
   SegmentId first, second, result;

@@ -7,8 +7,8 @@
 
 namespace limpet::model {
 
-/// A 64-bit digest of numbers and bytes, the same on every machine: tells what is damaged, or not the same,
-/// from what is whole. Where a single word differs, it always differs. No protection against malice.
+/// A 64-bit digest of numbers and bytes, the same on every machine, to detect damage and differences. If two
+/// inputs differ in a single word, their digests always differ. It is not cryptographic.
 class Digest {
  public:
   void add(std::uint64_t word) {
@@ -16,7 +16,7 @@ class Digest {
     value_ ^= value_ >> 32;
   }
   void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
-  /// Eight at a time, the first one lowest; then their number.
+  /// Adds the bytes as little-endian words of eight, the last one padded with zeros, and then their number.
   void add(std::string_view bytes) {
     std::size_t i = 0;
     for (; i + 8 <= bytes.size(); i += 8) add(word_at(bytes.data() + i, 8));

@@ -8,20 +8,21 @@
 
 namespace limpet::model {
 
-/// What finishing would come to (Model::would_finish()).
+/// What finish() would leave, if it were called now (Model::would_finish()).
 struct Outcome {
   /// An edge that is open now.
   struct Edge {
     SegmentId segment;
     geometry::EdgeId edge;
-    bool closes = false;  ///< it would be shared, or what is beside it be filled
-    /// Else what would refuse it a neighbour, and which segment that would have been (as in OpenEdge).
+    bool closes = false;  ///< it would be shared, or the gap beside it filled
+    /// If not: the condition that would refuse it a neighbour, and the segment it would not be shared with,
+    /// as in OpenEdge.
     Refusal refusal = Refusal::none;
     SegmentId other;
   };
-  std::vector<Edge> edges;     ///< all that are open now, by segment and edge
-  std::size_t open_edges = 0;  ///< that would be left
-  std::size_t polygons = 0;    ///< that there would be
+  std::vector<Edge> edges;     ///< all edges that are open now, by segment and edge
+  std::size_t open_edges = 0;  ///< number of open edges that would be left
+  std::size_t polygons = 0;    ///< number of polygons that there would be
   bool closed() const { return polygons > 0 && open_edges == 0; }
 };
 

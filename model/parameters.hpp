@@ -6,21 +6,22 @@
 
 namespace limpet::model {
 
-/// What a model is built to. Lengths are in the scan's unit.
+/// The parameters of a model. Lengths are in the scan's unit.
 struct Parameters {
   double resolution = 0.05;                ///< λ: gaps smaller than this are not represented; > 0
   double angle_rad = 0.17453292519943295;  ///< μ: angles smaller than this are not told apart; in (0, π/2)
   double noise = 0;                        ///< standard deviation of a reading along its axis; ≥ 0
-  double noise_per_range = 0;              ///< what it grows by for each unit of range; ≥ 0, a pure number
-  /// What it grows by with the square of the range, as where depth is triangulated; ≥ 0, one over the scan's
-  /// unit.
+  double noise_per_range = 0;              ///< growth of the noise per unit of range; ≥ 0, dimensionless
+  /// Growth of the noise with the square of the range, as of depths from triangulation; ≥ 0, one over the
+  /// scan's unit.
   double noise_per_range2 = 0;
   double input_quantum = 0;  ///< the step to which the scan's own coordinates are rounded; ≥ 0
-  double tolerance = 0;      ///< how far from its plane a surface may be; 0: 3 standard deviations
-  /// A small point segment that none of this many sensor points has joined is given up as outliers.
+  double tolerance = 0;  ///< how far a surface may be from its plane; 0: 3 standard deviations of the noise
+  /// A point segment of fewer than five points that none of this many later sensor points has joined is given
+  /// up as outliers.
   std::int64_t outlier_patience = 1'000'000;
-  /// ψ and φ (thesis §2.9): a segment of fewer than ψ points, and of less than the part φ of another's
-  /// points, that finds no edge to share with it is redundant.
+  /// ψ and φ (thesis §2.9): a segment is redundant when it has fewer than ψ points, fewer than φ times the
+  /// points of a segment near it, and finds no edge to share with that segment.
   double redundancy_count = 20, redundancy_ratio = 0.05;
   bool neighbours = true;  ///< form shared edges and corner vertices (thesis §2.6, §2.7)
   Rules rules;

@@ -20,8 +20,8 @@ struct MomentsRecord {
   std::array<Int128, 6> product{};  ///< Σxx, Σxy, Σxz, Σyy, Σyz, Σzz
 };
 
-/// A sensor point kept by a young segment: grid coordinates, sensing axis (unit, into the surface), and
-/// how often a dissolved segment has handed it back.
+/// A sensor point kept by a young segment: grid coordinates, sensing axis (unit vector into the surface), and
+/// how often it was in a segment that was dissolved.
 struct RawPointRecord {
   std::array<std::int64_t, 3> at{};
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
@@ -33,11 +33,11 @@ struct PointSegmentRecord {
   MomentsRecord moments;
   Eigen::Vector3d axis_sum = Eigen::Vector3d::Zero();
   std::vector<RawPointRecord> raw;
-  double variance_sum = 0;  ///< of its points about their plane; only where the noise grows with the range
+  double variance_sum = 0;  ///< Σ of its points' noise variances; 0 unless the noise grows with the range
 };
 
-/// A vertex and the edge that leaves it anticlockwise. x, y are chart coordinates in grid steps (whole
-/// numbers wherever the engine keeps the grid).
+/// A vertex and the edge from it to the next one. x, y are chart coordinates in grid steps (whole numbers,
+/// except in the build "float").
 struct VertexRecord {
   double x = 0, y = 0;
   std::uint64_t edge = 0;     ///< identity of the edge from this vertex to the next
@@ -62,21 +62,21 @@ struct PolygonSegmentRecord {
   /// (clockwise).
   std::vector<std::vector<VertexRecord>> cycles;
   std::vector<RawPointRecord> raw;
-  double variance_sum = 0;  ///< of its points about their plane; only where the noise grows with the range
+  double variance_sum = 0;  ///< Σ of its points' noise variances; 0 unless the noise grows with the range
 };
 
-/// Everything a model is, as plain data: what the native file holds (docs/native_format.md).
+/// A whole model as plain data: the contents of the native file (docs/native_format.md).
 struct ModelRecord {
-  Parameters parameters;     ///< what it is built to
+  Parameters parameters;     ///< of the model
   double grid_step = 0;      ///< a power of two, scan's unit
   std::string arithmetic;    ///< "exact", "float-grid" or "float"
   std::int64_t points = 0;   ///< sensor points accepted
-  std::int64_t refused = 0;  ///< records that were no point (not finite, zero axis, out of range)
-  std::int64_t expired = 0;  ///< outliers given up
+  std::int64_t refused = 0;  ///< readings that were no point (Model::update())
+  std::int64_t expired = 0;  ///< sensor points given up (see Counts)
   std::int64_t sets = 0;     ///< sets of sensor points processed
-  /// Redundant segments deleted: by ψ and φ, and by position.
+  /// Redundant segments that were deleted: by ψ and φ, and by position (thesis §2.9).
   std::int64_t redundant_by_count = 0, redundant_by_position = 0;
-  std::uint64_t next_segment = 1, next_edge = 1;       ///< identities not yet used
+  std::uint64_t next_segment = 1, next_edge = 1;       ///< lowest identities not yet used
   std::vector<PointSegmentRecord> point_segments;      ///< ascending id
   std::vector<PolygonSegmentRecord> polygon_segments;  ///< ascending id
 };

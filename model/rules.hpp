@@ -9,33 +9,36 @@ namespace limpet::model {
 
 /// The departures from the thesis, each of which can be switched off (docs/rules.md says what each is worth).
 struct Rules {
-  bool promotion =
-      true;  ///< a point segment becomes a polygon by the precision of its normal, not when s_pt² ≥ s_pp²
-  bool chance = true;    ///< nor while so few points could lie in a plane by chance
-  bool patch = true;     ///< neighbouring point segments in one plane become a polygon together
-  bool arrival = true;   ///< nor when far fewer points came to it than to the rest of the scene
+  /// A point segment becomes a polygon when its normal is precise enough, not when s_pt² ≥ s_pp².
+  bool promotion = true;
+  bool chance = true;    ///< promotion waits while the points may lie in one plane by chance
+  bool patch = true;     ///< promotion takes neighbouring point segments of one plane together
+  bool arrival = true;   ///< promotion waits while a segment gets far fewer points than the rest of the scene
   bool residual = true;  ///< added data is judged by its own residual, not by the variance after the merger
-  bool relief = true;    ///< and, within the tolerance, by how it goes on from the surface beside it
-  bool best = true;      ///< a point goes to the best segment, polygons first; not to the first in memory
-  bool dissolve =
-      true;  ///< young segments keep their points and are dissolved beside a mature polygon that they fit
-  bool refresh = true;  ///< the initial plane follows the fit while that is still uncertain
-  bool near = true;     ///< points within λ/4 of a perimeter update the moments only
-  bool holes = true;    ///< polygons have holes; perimeters are bridged where they meet themselves
-  bool voids =
-      true;  ///< when finishing, holes that chance alone would leave empty at the scan's density are dropped
-  bool spurs = true;  ///< when finishing, what goes on beyond a line, but is small or thin, gives way to it
-  bool position =
-      true;  ///< when finishing, segments that lie on larger ones and have no neighbours are deleted
-  bool finish = true;  ///< at the end of input everything is tried again until nothing changes
-  bool expiry = true;  ///< small point segments that nothing joins for long are given up as outliers
+  bool relief = true;    ///< within the tolerance, it must also continue the surface beside it
+  bool best = true;      ///< a point goes to the best segment, polygons first; not to the lowest identity
+  /// Young segments keep their points, and are dissolved beside mature polygons that these points fit.
+  bool dissolve = true;
+  /// The initial plane follows the fit once its normal is known to μ/20, while the two differ by less than μ.
+  bool refresh = true;
+  bool near = true;   ///< points within λ/4 of a perimeter update the moments only
+  bool holes = true;  ///< polygons have holes; perimeters are bridged where they come near themselves
+  /// When finishing, holes and bays that may be chance gaps at the scan's density are closed.
+  bool voids = true;
+  /// When finishing, small or thin parts of a polygon beyond a line of intersection give way to it.
+  bool spurs = true;
+  /// When finishing, segments without neighbours that lie on larger ones are deleted.
+  bool position = true;
+  bool finish = true;  ///< at the end of input, the update is repeated until nothing changes
+  bool expiry = true;  ///< small point segments that nothing has joined for long are given up as outliers
 
+  /// All rules off.
   static Rules thesis();
-  /// From the command line: "limpet" (all on), "thesis" (all off), or names separated by commas, those to
-  /// leave on; with a minus
-  /// ("-near,-holes") those to leave out. Throws std::invalid_argument that names an unknown rule and the
-  /// known ones.
+  /// Rules from the command line: "limpet" (all on), "thesis" (all off), or names separated by commas. Names
+  /// alone switch on only these; with a minus ("-near,-holes") they switch these off and leave the others on.
+  /// Throws std::invalid_argument, naming the unknown rule and the known ones.
   static Rules parse(std::string_view);
+  /// The names of all rules, in the order above.
   static std::vector<std::string> names();
   /// The names of the rules that are on, separated by commas; "thesis" when none is.
   std::string to_string() const;
