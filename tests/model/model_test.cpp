@@ -195,6 +195,9 @@ TEST(Model, ParametersOutOfRangeAreRefused) {
     refuses(&Parameters::input_quantum, bad);
     refuses(&Parameters::tolerance, bad);
   }
+  Parameters hasty;
+  hasty.outlier_patience = -1;
+  EXPECT_THROW(Model{hasty}, std::invalid_argument);
   Parameters steep;
   steep.angle_rad = 1.5;
   EXPECT_EQ(Model(steep).parameters().angle_rad, 1.5);
