@@ -135,10 +135,11 @@ class AxisAndPolygon {
     if (best) limit = std::min(limit, std::sqrt(best->squared));
     double within = reach_on_plane(limit, height(), slack);
     look_at_edges_near(perimeter, feet, within, slack, [&](Slot s) {
+      const geometry::EdgeId edge = perimeter.node(s).edge;
+      if (best && best->edge == edge) return within;  // it comes from several cells
       const Point2 a = perimeter.at(s), b = perimeter.end(s);
       if (!box_of(a, b).meets(feet.grown(within + slack))) return within;
       const Places2 found = nearest_places(axis_, {polygon_.lifted(a), polygon_.lifted(b)});
-      const geometry::EdgeId edge = perimeter.node(s).edge;
       if (best && (found.squared > best->squared || (found.squared == best->squared && !(edge < best->edge))))
         return within;
       best = Found{found.t == 1 ? b : a + found.t * (b - a), found.s, found.squared, edge};
