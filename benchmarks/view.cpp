@@ -31,7 +31,8 @@ Vector3d any_direction(Random& random) {
   }
 }
 
-/// Where a follower is: up to 8 λ off the true surface, evenly over it.
+/// Where a follower is: up to 8 λ off the true surface, evenly over it, on a route that goes to and fro in
+/// stripes, as what moves through a scene does: one question is near the last.
 std::vector<Place> places_near(const ScanCase& scan_case) {
   Random random(1);
   simulation::ScanOptions options;
@@ -41,10 +42,15 @@ std::vector<Place> places_near(const ScanCase& scan_case) {
     const double off = random.uniform(0, 8 * scan_case.resolution);
     places.push_back({p.point.position - off * p.point.axis, any_direction(random)});
   });
+  const auto stripe = [&](const Place& p) { return std::floor(p.at.x() / (10 * scan_case.resolution)); };
+  std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
+    if (stripe(a) != stripe(b)) return stripe(a) < stripe(b);
+    return std::fmod(stripe(a), 2) == 0 ? a.at.y() < b.at.y() : a.at.y() > b.at.y();
+  });
   return places;
 }
 
-/// Anywhere in the scene's box.
+/// Anywhere in the scene's box, each far from the last: what lies there is in no cache.
 std::vector<Place> places_anywhere(const ScanCase& scan_case) {
   Random random(3);
   const auto bounds = simulation::bounds_of(scan_case.scene.mesh);

@@ -110,10 +110,12 @@ void look_at_edges_near(const geometry::Polygon& perimeter, const geometry::Box2
   const double gap_y = std::max({0.0, box.low.y - from.high.y, from.low.y - box.high.y});
   const double gap = std::sqrt(gap_x * gap_x + gap_y * gap_y);
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
-  const auto edges = static_cast<double>(perimeter.edge_count());
   // About as wide as a cell of the index; a perimeter without one is looked at as a whole at once.
-  double span = std::max(std::sqrt(width * height / edges), (width + height) / (4 * edges));
-  if (perimeter.edge_count() < geometry::EdgeIndex::kMinimum) span = within;
+  constexpr std::size_t kFew = geometry::EdgeIndex::kMinimum;
+  const auto edges = static_cast<double>(std::max(perimeter.edge_count(), kFew));
+  const bool indexed = perimeter.edge_count() >= kFew || perimeter.slot_count() > 2 * kFew;
+  double span = within;
+  if (indexed) span = std::max(std::sqrt(width * height / edges), (width + height) / (4 * edges));
   for (;;) {
     const double reach = std::min(within, gap + span);
     if (gap > reach + slack) return;

@@ -31,6 +31,7 @@ std::optional<OnEdge> nearest_on_perimeter(const Lifted& polygon, Point2 foot, d
   std::optional<OnEdge> best;
   const geometry::Polygon& perimeter = polygon.perimeter();
   look_at_edges_near(perimeter, {foot, foot}, within, slack, [&](Slot s) {
+    if (best && best->edge == perimeter.node(s).edge) return within;  // it comes from several cells
     const double spare = within + slack;
     if (box_of(perimeter.at(s), perimeter.end(s)).squared_distance(foot) > spare * spare) return within;
     const OnEdge found = nearest_on_edge(polygon, s, foot);

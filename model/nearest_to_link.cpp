@@ -38,15 +38,14 @@ Places2 places(const Piece& p, const Piece& q, double s, double t) {
 
 /// Where the common perpendicular of the two lines meets them, if that is between the ends.
 std::optional<Places2> across(const Piece& p, const Piece& q) {
-  const Vector3d u = p.b - p.a, v = q.b - q.a;
-  const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), det = uu * vv - uv * uv;
-  if (!(det > 0)) return std::nullopt;
+  const Vector3d u = p.b - p.a, v = q.b - q.a, n = u.cross(v);
+  const double nn = n.dot(n);
+  if (!(nn > 0)) return std::nullopt;
   double s = 0, t = 0;
   // Twice: where the lines are nearly parallel, the second time takes away most of the error of the first.
   for (int round = 0; round < 2; ++round) {
-    const Vector3d w = (p.a + s * u) - (q.a + t * v);
-    const double wu = w.dot(u), wv = w.dot(v);
-    s += (uv * wv - vv * wu) / det, t += (uu * wv - uv * wu) / det;
+    const Vector3d w = (q.a + t * v) - (p.a + s * u);
+    s += w.cross(v).dot(n) / nn, t += w.cross(u).dot(n) / nn;
   }
   if (!(s > 0 && s < 1 && t > 0 && t < 1)) return std::nullopt;
   return places(p, q, s, t);
@@ -135,10 +134,11 @@ class AxisAndPolygon {
     if (best) limit = std::min(limit, std::sqrt(best->squared));
     double within = reach_on_plane(limit, height(), slack);
     look_at_edges_near(perimeter, feet, within, slack, [&](Slot s) {
+      const geometry::EdgeId edge = perimeter.node(s).edge;
+      if (best && best->edge == edge) return within;  // it comes from several cells
       const Point2 a = perimeter.at(s), b = perimeter.end(s);
       if (!box_of(a, b).meets(feet.grown(within + slack))) return within;
       const Places2 found = nearest_places(axis_, {polygon_.lifted(a), polygon_.lifted(b)});
-      const geometry::EdgeId edge = perimeter.node(s).edge;
       if (best && (found.squared > best->squared || (found.squared == best->squared && !(edge < best->edge))))
         return within;
       best = Found{found.t == 1 ? b : a + found.t * (b - a), found.s, found.squared, edge};

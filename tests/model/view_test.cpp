@@ -215,6 +215,17 @@ TEST(View, LinksBesideThroughAndAlongAPlate) {
   EXPECT_FALSE(view.nearest(Capsule{{1, 1, 1}, {1, 1, 3}, 0.25}, 0.5));
 }
 
+/// Beside an edge, and hardly at an angle to it: the places that are nearest are hard to find.
+TEST(View, LinksNearlyAlongAnEdge) {
+  const Model model = bored_plate();
+  const View view = model.view();
+  const double gap = 0x1p-20;
+  for (double climb = 0.1; climb > 1e-9; climb *= 0.37) {
+    const Capsule link{{2 + gap, -1.3, -0.7 * climb}, {2 + gap, 1.7, 1.1 * climb}, 0};
+    EXPECT_NEAR(view.nearest(link, kEver).value().distance, gap, 1e-13) << climb;
+  }
+}
+
 TEST(View, RaysHitFromBothSidesAndGoThroughTheBore) {
   const Model model = bored_plate();
   const View view = model.view();
