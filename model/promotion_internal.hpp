@@ -9,8 +9,8 @@
 /// Promotion: when a point segment becomes a planar polygon segment, and its first perimeter.
 namespace limpet::model::internal {
 
-/// Is the normal known well enough for a polygon? `raw`: all the points of fit and sums; if some are not kept
-/// any more, rule `chance` does without them.
+/// Is the normal known well enough for a polygon? `raw`: all the points of fit and sums; if some are no
+/// longer kept, rule `chance` does not try the fit with points left out.
 bool promotable(const Complex&, const Fit&, const SegmentData::Sums&,
                 const std::vector<const std::vector<RawPoint>*>& raw);
 /// Have far fewer points come to a segment since its points came than to the rest of the scene (rule
