@@ -35,7 +35,7 @@ void Agenda::wait_to_share(std::uint32_t slot) {
   if (!std::exchange(polygon(slot).shared_later, true)) share_later_.push_back(slot);
 }
 
-/// In turn, so that no pair waits for ever.
+/// Pairs take turns in the order of their slots, so that none waits for ever.
 std::pair<SlotPair, DirtyRegion> Agenda::take_look() {
   auto next = looks_due_.upper_bound(last_look_);
   if (next == looks_due_.end()) next = looks_due_.begin();
@@ -43,7 +43,8 @@ std::pair<SlotPair, DirtyRegion> Agenda::take_look() {
   return {next->first, std::move(looks_due_.extract(next).mapped())};
 }
 
-/// A large polygon asks for many looks at once: they are spread over the sets, one for every few points.
+/// A large polygon calls for many looks at once; they are spread over the sets, by the number of points that
+/// have come.
 std::int64_t Agenda::looks_for(std::int64_t points) {
   return kFewestLooks + (points - std::exchange(looked_at_, points)) / kPointsPerLook;
 }

@@ -21,8 +21,8 @@
 
 #include <limpet/model/record.hpp>
 
-/// Plain data to bytes and back, little-endian and of fixed width. What a struct consists of is said once,
-/// for both directions:
+/// Serialises plain data to bytes and back, little-endian and of fixed width. The members of a struct are
+/// listed once, for both directions:
 ///
 ///     void describe(auto& archive, Is<RawPoint> auto& r) { archive(r.at, r.axis, r.variance); }
 namespace limpet::model::internal {
@@ -55,8 +55,8 @@ class Writer {
   std::string bytes_;
 };
 
-/// Reads what a Writer wrote. Throws std::invalid_argument when the bytes end too early or are no such thing;
-/// what it makes is never larger than what bytes there are can tell.
+/// Reads what a Writer wrote. Throws std::invalid_argument when the bytes end too early or hold impossible
+/// values. A false count cannot make it allocate more than the number of remaining bytes justifies.
 class Reader {
  public:
   static constexpr bool kReads = true;
@@ -99,8 +99,8 @@ std::uint64_t word_of(T x) {
     return static_cast<std::uint64_t>(x);
 }
 
-/// Numbers that no model has are refused here: truth values but 0 and 1, doubles that are not finite, and
-/// integers so large that a sum of two overflows.
+/// Refuses numbers that no model has: Booleans other than 0 and 1, doubles that are not finite, and integers
+/// so large that the sum of two would overflow.
 template <Number T>
 T number_from(std::uint64_t word) {
   if constexpr (std::is_enum_v<T>) {
@@ -147,7 +147,7 @@ template <class T>
 struct TakenAs {
   using type = T;
 };
-template <class K, class V>  // maps are filled with pairs whose keys can be read into
+template <class K, class V>  // a map's own pairs have constant keys, which cannot be read into
 struct TakenAs<std::pair<const K, V>> {
   using type = std::pair<K, V>;
 };
@@ -163,7 +163,7 @@ inline constexpr bool kIsContainer<std::map<T...>> = true;
 template <class... T>
 inline constexpr bool kIsContainer<std::set<T...>> = true;
 
-/// How many, then each.
+/// A container: the number of elements, then each of them.
 template <class Archive, class T>
 requires kIsContainer<std::remove_const_t<T>>
 void describe(Archive& archive, T& all) {
@@ -201,7 +201,7 @@ void describe(Archive& archive, const std::pair<A, B>& both) {
   archive(both.first, both.second);
 }
 
-/// There, or not.
+/// An owning pointer: whether there is an object, then the object.
 template <class Archive, class Pointer>
 requires requires(Pointer p) {
   p.get();

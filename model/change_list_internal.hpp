@@ -8,7 +8,7 @@
 
 namespace limpet::model::internal {
 
-/// The changes of one call, and the edges that they name: all in memory that the next call uses again.
+/// The changes of one call and the edges that they name. The next call reuses the memory.
 class ChangeList {
  public:
   void add(Change::Kind kind, SegmentId first, SegmentId second, SegmentId result,
@@ -17,11 +17,11 @@ class ChangeList {
     edges_.insert(edges_.end(), edges.begin(), edges.end());
     ends_.push_back(edges_.size());
   }
-  /// Edges of one segment; none are no change.
+  /// A change of edges of one segment; with no edges, nothing is added.
   void add(Change::Kind kind, SegmentId result, std::span<const geometry::EdgeId> edges) {
     if (!edges.empty()) add(kind, {}, {}, result, edges);
   }
-  /// No more are added: from now on each knows its edges.
+  /// Fills in Change::edges, once all changes have been added (edges_ may move while it grows).
   void settle() {
     std::size_t begin = 0;
     for (std::size_t i = 0; i < changes_.size(); begin = ends_[i++])
@@ -33,7 +33,7 @@ class ChangeList {
  private:
   std::vector<Change> changes_;
   std::vector<geometry::EdgeId> edges_;
-  std::vector<std::size_t> ends_;  ///< in edges_, of each change
+  std::vector<std::size_t> ends_;  ///< for each change, the end of its edges in edges_
 };
 
 }  // namespace limpet::model::internal

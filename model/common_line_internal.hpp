@@ -16,19 +16,19 @@ inline double sine_between(const geometry::Plane& a, const geometry::Plane& b) {
   return std::sqrt(c.dot(c));
 }
 
-/// The line where two planes meet, along n₁ × n₂: the anticlockwise direction of edges that the first shares
-/// with the second where they meet convexly (thesis §2.2).
+/// The line where two planes meet, directed along n₁ × n₂. Where two segments meet convexly, this is the
+/// anticlockwise direction of the edges on the first that are shared with the second (thesis §2.2).
 struct CommonLine {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d along = Eigen::Vector3d::UnitX();  ///< unit
   double sine = 1;                                   ///< of the angle between the planes
 
-  /// Scan's unit from the origin along the line.
+  /// Coordinate along the line of the foot of p, from the origin, scan's unit.
   double place_of(const Eigen::Vector3d& p) const { return along.dot(p - origin); }
   Eigen::Vector3d at(double place) const { return origin + place * along; }
 };
 
-/// Nothing when the planes are parallel, or as good as that. The origin is the line's point nearest to
+/// Nothing when the planes are parallel or nearly so (kLeastSine). The origin is the line's point nearest to
 /// `near`.
 inline std::optional<CommonLine> common_line(const geometry::Plane& a, const geometry::Plane& b,
                                              const Eigen::Vector3d& near) {
@@ -43,7 +43,7 @@ inline std::optional<CommonLine> common_line(const geometry::Plane& a, const geo
   return line;
 }
 
-/// Where three planes meet; nothing when they do so nowhere, or nowhere near.
+/// The point where the line meets a third plane; nothing when the two are parallel or nearly so.
 inline std::optional<Eigen::Vector3d> common_point(const CommonLine& line, const geometry::Plane& plane) {
   const double slope = plane.normal.dot(line.along);
   if (!(std::abs(slope) > kLeastSine)) return std::nullopt;

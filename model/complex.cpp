@@ -28,7 +28,7 @@ std::vector<std::vector<SegmentId>> surfaces_of(const Complex& complex) {
   std::vector<std::vector<SegmentId>> result;
   complex.segments().for_each([&](const Segment& s) {
     const auto members = complex.surfaces().with(s.slot);
-    if (!members.empty() && members.front() != s.slot) return;  // told by the one that stands first
+    if (!members.empty() && members.front() != s.slot) return;  // each surface is added at its first member
     auto& surface = result.emplace_back();
     if (members.empty()) surface.push_back(s.id);
     for (const std::uint32_t slot : members) surface.push_back(complex.at(slot).id);
@@ -60,15 +60,15 @@ const Segment& Complex::create_point_segment(const RawPoint& raw) {
   return s;
 }
 
-/// Takes a segment out of all tables; what it shares becomes open. Returns the edges that went with it.
+/// Takes a segment out of all tables; edges that others share with it become open. Returns the edges that are
+/// gone with it.
 std::vector<EdgeId> Complex::erase(Segment& s) {
   std::vector<EdgeId> gone;
   if (s.polygon) {
     dissolve_all_neighbours(s);
     for_each_edge(s.polygon->perimeter, [&](geometry::Slot slot) {
       const EdgeId edge = s.polygon->perimeter.node(slot).edge;
-      const EdgePlace* place =
-          edges_.find(edge);  // on another segment, if it went to what this one merged into
+      const EdgePlace* place = edges_.find(edge);  // on another segment, if this one merged into it
       if (place && place->segment == s.slot) gone.push_back(edge);
     });
     for (const EdgeId edge : gone) edges_.erase(edge);
@@ -82,12 +82,12 @@ std::vector<EdgeId> Complex::erase(Segment& s) {
 }
 
 void Complex::remove(const Segment& s) {
-  if (s.polygon) dissolve_all_neighbours(s);  // first, so that the changes are in order
+  if (s.polygon) dissolve_all_neighbours(s);  // first, so that `unshared` is reported before `deleted`
   changes_.add(Change::Kind::deleted, s.id, {}, {});
   erase(mutable_of(s));
 }
 
-/// A polygon with so many points keeps them no longer one by one.
+/// Makes a young polygon mature: its points go into its height map and are dropped.
 void Complex::forget_points(Segment& s) {
   for (const RawPoint& raw : s.data.raw()) add_height(setting_, *s.polygon, setting_.world(raw.at), 1);
   s.data.forget_points();
@@ -110,7 +110,7 @@ void Complex::absorb_data(Segment& s, const Segment& other, bool stays_young) {
       forget_points(s);
       add_heights(setting_, *s.polygon, other);
     }
-    modelled_points_ += other.count();  // which go when the other one does
+    modelled_points_ += other.count();  // erase() subtracts them again if `other` is a polygon
   }
   s.data.absorb(other.data, stays_young, now_);
 }

@@ -1,7 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// The commit protocol: whatever changes a perimeter, here it is booked which edges went, came and moved, what
-// was shared along them, where the description has changed, and what is to be looked at because of it.
+// The commit protocol. After any change of a perimeter, it records which edges were removed, created and
+// moved, unshares the removed ones, and notes where the description has changed and what is to be looked at
+// because of it.
 #include <algorithm>
 
 #include "complex_internal.hpp"
@@ -14,7 +15,7 @@ using geometry::Slot;
 
 BoundaryDifference Complex::book_difference(Segment& s, bool looked_at) {
   geometry::Polygon& perimeter = s.polygon->perimeter;
-  BoundaryDifference difference = std::move(spare_);  // its memory
+  BoundaryDifference difference = std::move(spare_);  // to reuse its memory
   difference.removed = perimeter.take_removed();
   difference.put = perimeter.take_created();
   book_put_edges(s, difference);
@@ -26,7 +27,8 @@ BoundaryDifference Complex::book_difference(Segment& s, bool looked_at) {
   return difference;
 }
 
-/// Edges that were put in place are found there from now on, and on this segment, if they come from another.
+/// Enters the edges that were put in place in the edge table, at their new slots and on this segment, if they
+/// come from another one.
 void Complex::book_put_edges(Segment& s, BoundaryDifference& difference) {
   PolygonPart& part = *s.polygon;
   for (const auto& placed : difference.put) {
@@ -40,10 +42,11 @@ void Complex::book_put_edges(Segment& s, BoundaryDifference& difference) {
   }
 }
 
-/// Edges that went are unshared, and known no longer. One that came and went within the operation was never
-/// there.
+/// Unshares the removed edges and deletes them from the edge table. Ignores those that were created within
+/// the same operation.
 void Complex::book_removed_edges(std::vector<EdgeId>& removed) {
-  // All of them are gone before the first is unshared: none is asked where it ends.
+  // All of them lose their slots before the first is unshared, so that ends_meet() does not look for their
+  // ends.
   bool any_shared = false;
   std::erase_if(removed, [&](EdgeId edge) {
     const EdgePlace* place = edges_.find(edge);
@@ -91,8 +94,8 @@ void Complex::commit_judged(const Transaction& transaction) {
   }
 }
 
-/// Books an edit, and all that follows from where the perimeter is now. `born` are edges of it that are known
-/// already, because they are shared, but new.
+/// Records a committed edit and its consequences. `born`: new edges that are in the edge table already,
+/// because they were shared.
 void Complex::perimeter_changed(Segment& s, std::span<const EdgeId> born) {
   BoundaryDifference difference = book_difference(s, false);
   for (const EdgeId edge : born)
@@ -166,7 +169,7 @@ void Complex::replace_perimeter(const Segment& segment, const geometry::Chart& c
   part.published = geometry::Lift(part.chart, plane);
   part.outward = plane.normal;
 
-  // Slots are new: what was fresh is looked at again, all of it.
+  // The slots are new, so all edges are searched for fissures again.
   for (const EdgeId edge : shared_before) edges_.lose_slot(edge);
   agenda_.polygon(s.slot).fresh.clear();
   BoundaryDifference difference = book_difference(s, false);
@@ -177,7 +180,7 @@ void Complex::replace_perimeter(const Segment& segment, const geometry::Chart& c
       edges_.erase(edge);
       difference.removed.push_back(edge);
     }
-  difference.moved.clear();  // all have, with their plane
+  difference.moved.clear();  // plane_moved() reports all edges as moved
   tell(s, std::move(difference));
 }
 

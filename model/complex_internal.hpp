@@ -16,28 +16,26 @@
 
 namespace limpet::model::internal {
 
-/// What an operation has done to a perimeter.
+/// The edges that an operation on a perimeter has removed, created and moved.
 struct BoundaryDifference {
-  std::vector<geometry::EdgeId> removed;   ///< identities that went
-  std::vector<geometry::EdgeId> appeared;  ///< identities that came
-  std::vector<geometry::EdgeId>
-      moved;        ///< edges that kept theirs, with an end elsewhere or on another segment
-  PlacedEdges put;  ///< all edges that were put in place, in this order
+  std::vector<geometry::EdgeId> removed;   ///< edges that are gone
+  std::vector<geometry::EdgeId> appeared;  ///< new edges
+  std::vector<geometry::EdgeId> moved;     ///< edges with a moved end, or from another segment
+  PlacedEdges put;  ///< all edges that were put in place, in the order of the operation
 };
 
-/// Edits of several perimeters that are made together, or not at all.
+/// Edits of several perimeters, all of which are made, or none.
 struct Transaction {
   std::vector<std::pair<std::uint32_t, geometry::Edit>> edits;  ///< with the slots of their segments
-  /// New edges on the first and the second of these perimeters that are a corresponding pair from then on.
+  /// New edges, on the first and on the second of these perimeters, that become corresponding pairs.
   std::vector<std::pair<geometry::EdgeId, geometry::EdgeId>> pairs;
 };
 
 /// The polyhedral complex: segments, their perimeters, which edges they share, and the surfaces they form.
 ///
-/// Who has a constant one may look; who has one to change can do so only by what stands here, each of which
-/// leaves the promise of docs/exactness.md intact, notes on the agenda what is to be looked at because of it,
-/// and tells it in changes(). Perimeters change by change_perimeter(), commit() and replace_perimeter()
-/// alone: these are the commit protocol (complex_commit.cpp).
+/// It can be changed only by these member functions. Each keeps the promise of docs/exactness.md, notes on
+/// the agenda what is to be looked at because of it, and reports it in changes(). Perimeters change only
+/// through change_perimeter(), commit() and replace_perimeter(): the commit protocol (complex_commit.cpp).
 class Complex {
  public:
   Complex(const Setting& setting, Agenda& agenda) : setting_(setting), agenda_(agenda), segments_(setting) {}
@@ -54,47 +52,47 @@ class Complex {
   const EdgeTable& edges() const { return edges_; }
   const Surfaces& surfaces() const { return surfaces_; }
   const Segment& at(std::uint32_t slot) const { return *segments_.in_slot(slot); }
-  /// Nothing when there is none in that slot, or of that identity, any more.
+  /// Null when the slot is free, or no segment has this identity any more.
   const Segment* in_slot(std::uint32_t slot) const { return segments_.in_slot(slot); }
   const Segment* find(SegmentId id) const { return segments_.find(id); }
-  /// The segment if it is still in the slot it was in.
+  /// The segment, if it is still in this slot; else null.
   const Segment* find(SegmentId id, std::uint32_t slot) const {
     const Segment* s = segments_.in_slot(slot);
     return s && s->id == id ? s : nullptr;
   }
-  /// How many sensor points have come: the clock by which segments age.
+  /// The number of sensor points that have come, by which the age of segments is counted.
   std::int64_t now() const { return now_; }
-  double modelled_area() const { return modelled_area_; }            ///< of all polygons, λ²
-  std::int64_t modelled_points() const { return modelled_points_; }  ///< in all polygons
+  double modelled_area() const { return modelled_area_; }  ///< of all polygons but initial ones, λ²
+  std::int64_t modelled_points() const { return modelled_points_; }  ///< sensor points in all polygons
   std::uint64_t next_edge() const { return edge_ids_.next(); }
-  /// What has been done since forget_changes(), in order, once it has been settled.
+  /// The changes since forget_changes(), in order; complete after settle_changes().
   const std::vector<Change>& changes() const { return changes_.all(); }
-  /// Does a vertex join two edges that are shared with different neighbours?
+  /// Is this a corner vertex: does it join two edges shared with different neighbours?
   bool is_corner(const Segment&, geometry::Slot vertex) const;
-  /// The edges that two segments share: the copies on the one in the lower slot. Empty if they are no
-  /// neighbours.
+  /// The edges that two segments share, as their copies on the segment in the lower slot, ascending. Empty if
+  /// they are not neighbours.
   std::span<const geometry::EdgeId> edges_between(const Segment& a, const Segment& b) const {
     return edges_.between(a.slot, b.slot);
   }
-  /// The slots of the segments across these edges, as far as they are shared, ascending.
+  /// The slots of the segments across those of the edges that are shared, each once, ascending.
   std::vector<std::uint32_t> neighbours_across(std::span<const geometry::EdgeId>) const;
 
-  // Sensor points and what is known of them (complex.cpp).
+  // Segments and their sensor points (complex.cpp).
 
   void tick() { ++now_; }  ///< one more sensor point has come
   void forget_changes() { changes_.clear(); }
   void settle_changes() { changes_.settle(); }
-  /// Brings the surfaces up to date: after a call that changed the model, before it is read.
+  /// Brings the surfaces up to date, at the end of a call that changed the model.
   void settle_surfaces();
   const Segment& create_point_segment(const RawPoint&);
-  /// Takes a segment away, with its points.
+  /// Deletes a segment, with its points.
   void remove(const Segment&);
-  /// A point joins a segment; its perimeter has been extended to it.
+  /// A point joins a polygon, whose perimeter has been extended to it already.
   void absorb(const Segment& into, const RawPoint&);
-  /// All sensor points of `from` become those of `into`, and `from` is gone. The plane is not fitted anew.
+  /// Moves all sensor points of `from` to `into`, and deletes `from`. The plane is not fitted anew.
   void absorb(const Segment& into, const Segment& from, bool stays_young);
-  /// The same of two polygons when the perimeter of `into` is that of both already: what came of them gets a
-  /// new identity.
+  /// The same for two polygons when the perimeter of `into` is already that of both. `into` gets a new
+  /// identity.
   void absorb_united(const Segment& into, const Segment& from, bool stays_young);
   void allow_returns();
   void set_fit(const Segment&, const Fit&, std::int64_t next_fit);
@@ -104,51 +102,55 @@ class Complex {
 
   // Perimeters (complex_commit.cpp).
 
-  /// A new segment known beforehand, or a point segment, has this polygon from now on; its edges are new.
+  /// Gives this polygon, with new edges, to a new initial segment, or to a point segment.
   const Segment& create_initial(const Fit&, std::unique_ptr<PolygonPart>);
   void become_polygon(const Segment&, std::unique_ptr<PolygonPart>);
-  /// Does `operation(perimeter, edge identities)`, which changes the perimeter or leaves it as it was, and
-  /// books what it has done. Returns its answer and the difference. `looked_at`: the edges it puts in place
-  /// need no look for fissures.
+  /// Calls `operation(perimeter, edge identities)`, which changes the perimeter or leaves it as it was, and
+  /// records what it did. Returns its result and the difference. `looked_at`: the edges it puts in place need
+  /// not be searched for fissures.
   template <class Operation>
   auto change_perimeter(const Segment& s, bool looked_at, Operation&& operation) {
     auto answer = operation(mutable_of(s).polygon->perimeter, edge_ids_);
     return std::pair(std::move(answer), book_difference(mutable_of(s), looked_at));
   }
-  /// Makes all of the edits if every perimeter judges its own valid. Then boxes, descriptions and indices
-  /// follow. Otherwise nothing has changed.
+  /// Makes all edits, and updates boxes, descriptions and indices, if every perimeter judges its edit valid.
+  /// Otherwise changes nothing, and returns false.
   bool commit(const Transaction&);
-  /// For edits that have been judged already.
+  /// The same for edits that have been judged valid already.
   void commit_judged(const Transaction&);
   /// A polygon's description has changed in `where` (world).
   void description_changed(const Segment&, const DirtyRegion& where);
-  /// Its box holds these places, too.
+  /// Extends a polygon's box by these places.
   void extend_box(const Segment&, const DirtyRegion& where);
-  /// Names the edges that went, came and moved.
+  /// Reports the difference in changes().
   void tell(const Segment&, BoundaryDifference&&);
-  /// A new chart: the same perimeter, on it, and the plane. Edges keep their identities, or go.
+  /// Puts a polygon on a new chart, where its perimeter and its published plane are these. Edges keep their
+  /// identities, or are removed.
   void replace_perimeter(const Segment&, const geometry::Chart&, geometry::Polygon&&, const geometry::Plane&);
-  /// The plane that the perimeter is lifted to.
+  /// Sets the plane that the perimeter is lifted to.
   void set_plane(const Segment&, const geometry::Lift&, const Eigen::Vector3d& outward);
-  /// All vertices have moved with the plane: box, description and index follow.
+  /// After set_plane() or replace_perimeter(): updates box, description and index, and reports all edges as
+  /// moved.
   void plane_moved(const Segment&);
-  /// Identities for edges that are on no segment yet.
+  /// The source of identities, for new edges that are on no segment yet.
   geometry::EdgeIds& edge_ids() { return edge_ids_; }
 
-  // Who shares what (complex_pairs.cpp; thesis §2.2, §2.8).
+  // Shared edges (complex_pairs.cpp; thesis §2.2, §2.8).
 
   void tell_shared(const Segment& a, const Segment& b, geometry::EdgeId, geometry::EdgeId);
   void tell_corner(const Segment& a, const Segment& b, std::span<const geometry::EdgeId> edges);
-  /// Unsharing (§2.8): both copies become open edges. Where that leaves the copies of another shared edge
-  /// with ends apart, that edge goes the same way.
+  /// Unsharing (§2.8): both copies become open edges. If the ends of the copies of an adjoining shared edge
+  /// no longer coincide because of it, that edge is unshared, too.
   void unshare(geometry::EdgeId);
-  /// The two are no neighbours any more.
+  /// Unshares all edges that the two share.
   void dissolve_neighbours(const Segment&, const Segment&);
   void dissolve_all_neighbours(const Segment&);
-  /// Notes these edges, and those that adjoin their copies, to be looked at when ends meet again.
+  /// Within with_ends_apart(): the ends of these edges, and of those that adjoin their copies, are to be
+  /// checked at the end.
   void note_ends(std::span<const geometry::EdgeId>);
-  /// Does something that leaves the ends of copies apart for the moment: planes move, edges change hands.
-  /// What is unshared meanwhile asks nothing of its neighbours' ends; in the end all concerned are looked at.
+  /// Calls `change`, during which the two copies of a shared edge need not coincide, because planes move or
+  /// edges change their segments. Unsharing checks no adjoining edges meanwhile; all that are concerned are
+  /// checked at the end of the outermost call.
   template <class F>
   void with_ends_apart(F&& change) {
     ++ends_held_;
@@ -183,16 +185,17 @@ class Complex {
   double modelled_area_ = 0;
   std::int64_t modelled_points_ = 0;
   int ends_held_ = 0;                       ///< see with_ends_apart()
-  std::vector<geometry::EdgeId> ends_due_;  ///< shared edges whose ends are to be looked at then
+  std::vector<geometry::EdgeId> ends_due_;  ///< shared edges whose ends are to be checked then
   BoundaryDifference spare_;                ///< empty; keeps its memory for the next one
   ChangeList changes_;
 };
 
-/// All surfaces, each ascending, in the order of their lowest identity; a segment without neighbours is one.
+/// All surfaces, each in ascending order, ordered by their lowest identity. A segment without neighbours is a
+/// surface of its own.
 std::vector<std::vector<SegmentId>> surfaces_of(const Complex&);
 
-/// Of the segments in these slots the polygons that `has_turn`, each once, by identity. What they merge into
-/// is not among them: ask find() before each.
+/// The polygons in these slots for which has_turn(segment) is true, each once, by identity. As some may merge
+/// while the list is gone through, check each with find() first.
 using Turn = std::vector<std::pair<SegmentId, std::uint32_t>>;
 template <class Slots, class F>
 Turn polygons_of(const Complex& complex, const Slots& slots, F&& has_turn) {
@@ -204,7 +207,7 @@ Turn polygons_of(const Complex& complex, const Slots& slots, F&& has_turn) {
   turn.erase(std::unique(turn.begin(), turn.end()), turn.end());
   return turn;
 }
-/// The polygon segments near these places, but for the one in this slot, by identity.
+/// The polygon segments near these places, except the one in slot `but`, by identity.
 Turn polygons_near(const Complex&, const DirtyRegion&, std::uint32_t but);
 
 }  // namespace limpet::model::internal

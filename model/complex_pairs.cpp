@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Who shares which edge with whom (thesis §2.2), and unsharing (§2.8). The table of edges knows both copies
-// of every shared edge by identity; coordinates decide nothing here but whether two ends still coincide.
+// Which segments share which edges (thesis §2.2), and unsharing (§2.8). The edge table has both copies of
+// every shared edge by identity; coordinates decide only whether two ends still coincide.
 #include <algorithm>
 #include <array>
 
@@ -37,7 +37,7 @@ void Complex::tell_corner(const Segment& a, const Segment& b, std::span<const Ed
   changes_.add(Change::Kind::corner_formed, a.id, b.id, {}, edges);
 }
 
-/// A copy that has just lost its partner is an open edge of its perimeter, if it is still on it.
+/// Marks a copy that has just lost its partner as an open edge of its perimeter, if it is still there.
 void Complex::make_open(EdgeId edge) {
   const EdgePlace place = edges_.at(edge);
   Segment& s = *segments_.in_slot(place.segment);
@@ -49,11 +49,11 @@ void Complex::make_open(EdgeId edge) {
   description_changed(s, where.extend(part.position(part.perimeter.next(place.slot))));
 }
 
-/// Do the ends of the copies meet, but for corners?
+/// Do the ends of the two copies of a shared edge coincide (kEndSteps)? Ends at a corner vertex need not.
 bool Complex::ends_meet(EdgeId edge) const {
   const EdgePlace &mine = edges_.at(edge), &other = edges_.across(edge);
   if (mine.slot == geometry::kNoSlot || other.slot == geometry::kNoSlot)
-    return true;  // about to be put there
+    return true;  // it is being put in place or removed
   const Segment &a = at(mine.segment), &b = at(other.segment);
   const double sine = sine_between(a.polygon->plane(), b.polygon->plane());
   const double reach = kEndSteps * setting_.step / sine;
@@ -65,7 +65,8 @@ bool Complex::ends_meet(EdgeId edge) const {
          meet(a.polygon->perimeter.next(mine.slot), other.slot);
 }
 
-/// Shared edges before and after this one on its perimeter, of which it may have been a corner partner.
+/// Adds the shared edges directly before and after this one on its perimeter, with which it may have formed a
+/// corner.
 void Complex::add_adjoining(EdgeId edge, std::vector<EdgeId>& result) const {
   const EdgePlace& place = edges_.at(edge);
   if (place.slot == geometry::kNoSlot) return;

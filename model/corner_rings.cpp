@@ -24,7 +24,7 @@ const Segment& segment_across(const Complex& complex, EdgeId edge) {
 }
 
 CommonLine line_across(const Complex& complex, const Segment& s, EdgeId edge, const Eigen::Vector3d& near) {
-  // The edge's planes were not parallel when it was formed, nor when it was repositioned.
+  // There is a line: the planes were not parallel when the edge was formed or repositioned.
   return common_line(s.polygon->plane(), segment_across(complex, edge).polygon->plane(), near).value();
 }
 
@@ -33,7 +33,8 @@ double squared_distance(const CommonLine& line, const Eigen::Vector3d& p) {
   return std::max(0.0, (p - line.origin).squaredNorm() - t * t);
 }
 
-/// The stretch from shared edge e₁ to the one that follows it, if it may give way to a corner.
+/// The part of the ring from shared edge e₁ to the next shared edge; nothing if the two cannot meet in a
+/// corner.
 std::optional<RingPart> part_after(const Complex& complex, const Segment& s, Slot first) {
   const geometry::Polygon& perimeter = s.polygon->perimeter;
   RingPart part;
@@ -54,11 +55,11 @@ std::optional<RingPart> part_after(const Complex& complex, const Segment& s, Slo
   return part;
 }
 
-/// When finishing, a bay at the corner that chance alone leaves may be deeper than λ (rule `voids`), and a
-/// spur longer.
+/// May the part give way to its corner although it is farther than λ from both lines? When finishing, it may
+/// if it is a bay that may be a chance gap (rule `voids`), or a spur.
 bool gives_way(const Setting& setting, const RingPart& part) {
   const geometry::Polygon& perimeter = part.segment->polygon->perimeter;
-  double twice_area = 0, depth = 0;  // of what lies between P and the corner, on the right of P
+  double twice_area = 0, depth = 0;  // of the region between P and the corner; > 0 on the right of P
   for (std::size_t i = 0; i + 1 < part.between.size(); ++i) {
     const Point2 p = perimeter.at(part.between[i]) - part.corner,
                  q = perimeter.at(part.between[i + 1]) - part.corner;
@@ -69,7 +70,7 @@ bool gives_way(const Setting& setting, const RingPart& part) {
                         : is_spur(setting, twice_area / 2, depth);
 }
 
-/// The conditions on one segment's lines, distances and directions; sets the corner.
+/// Sets the part's corner, and checks the conditions on its distances and directions (thesis §2.7).
 Refusal fit_corner(const Complex& complex, RingPart& part, const SharingReach& reach) {
   const PolygonPart& polygon = *part.segment->polygon;
   const double lambda2 = complex.setting().lambda2;
@@ -84,7 +85,7 @@ Refusal fit_corner(const Complex& complex, RingPart& part, const SharingReach& r
         squared_distance(part.line_before, p) >= lambda2 && squared_distance(part.line_after, p) >= lambda2;
     reached |= (p - *corner).squaredNorm() < lambda2;
   }
-  for (std::size_t i = 0; i + 1 < part.between.size() && !reached; ++i) {  // points on edges count as well
+  for (std::size_t i = 0; i + 1 < part.between.size() && !reached; ++i) {  // also inside edges
     const Eigen::Vector3d p = polygon.position(part.between[i]),
                           d = polygon.position(part.between[i + 1]) - p;
     const double t = std::clamp(d.dot(*corner - p) / std::max(d.dot(d), 1e-300), 0.0, 1.0);
@@ -92,7 +93,7 @@ Refusal fit_corner(const Complex& complex, RingPart& part, const SharingReach& r
   }
   if (!reached) return Refusal::corner_far;
   if (far && !(reach.section > 1 && gives_way(complex.setting(), part))) return Refusal::corner_bay;
-  // The directions along e₁ and e₂ stay.
+  // e₁ and e₂ keep their directions, and a least length.
   const Point2 u = polygon.perimeter.at(part.before), w = polygon.perimeter.end(part.after);
   const Point2 d1 = polygon.perimeter.end(part.before) - u, d2 = w - polygon.perimeter.at(part.after);
   const auto keeps = [](Point2 direction, Point2 now) {
@@ -116,7 +117,7 @@ geometry::Edit edit_for(const RingPart& part) {
   return edit;
 }
 
-/// Do the copies of each edge of the ring still overlap, with corners that need not coincide?
+/// Do the two copies of each edge of the ring still overlap, as their corners need not coincide?
 bool copies_overlap(const Complex& complex, const std::vector<RingPart>& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const RingPart &mine = ring[i], &next = ring[(i + 1) % ring.size()];

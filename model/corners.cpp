@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Step 5 of the update: forming corner vertices (thesis §2.7) around a ring of segments S₀…Sₙ, n ≥ 2, each
-// the neighbour of the next: on all of them or on none.
+// Step 5 of the update: forming corner vertices (thesis §2.7). Around a ring of segments S₀…Sₙ, n ≥ 2, each
+// of which is a neighbour of the next, the corner is formed on all of them or on none.
 #include <utility>
 
 #include "corners_internal.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using geometry::EdgeId;
 
-/// Forms the corner, if it can be and is not there already.
+/// Forms the corner, unless it is refused or there already. Returns whether it was formed.
 bool form_corner(Complex& complex, Ring& ring, const SharingReach& reach) {
   CornerEdits corner = edits_for(complex, ring, reach);
   if (corner.refusal != Refusal::none || corner.formed_already) return false;

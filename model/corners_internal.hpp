@@ -9,8 +9,8 @@
 
 namespace limpet::model::internal {
 
-/// What one segment of a ring gives up for its corner vertex: the stretch P between two shared edges that
-/// follow each other (thesis §2.7).
+/// The stretch P of one segment's perimeter that its corner vertex replaces: it lies between two successive
+/// shared edges (thesis §2.7).
 struct RingPart {
   const Segment* segment = nullptr;
   geometry::Slot before = geometry::kNoSlot, after = geometry::kNoSlot;  ///< e₁ and e₂
@@ -24,12 +24,12 @@ struct Ring {
   bool closed = false;
 };
 
-/// The ring of §2.7, starting with e₁ of s: f₁ is e₂'s copy on the next segment, and so on back to e₁. Not
-/// closed if it does not come back over distinct segments; then the parts are those it came through.
+/// The ring of §2.7, starting with e₁ of s: f₁ is e₂'s copy on the next segment, and so on back to e₁. It is
+/// not closed if it does not return to e₁ over distinct segments; then `parts` are those passed until there.
 Ring ring_from(const Complex&, const Segment& s, geometry::Slot first);
 
-/// The changes of all perimeters that form the corner, one for each part of the ring, all of them judged; or
-/// what refuses it.
+/// The edits that form the corner, one for each part of the ring, all judged valid; or the condition that
+/// refuses it.
 struct CornerEdits {
   Refusal refusal = Refusal::none;
   bool formed_already = false;

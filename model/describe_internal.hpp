@@ -6,10 +6,10 @@
 #include "archive_internal.hpp"
 #include "storage_internal.hpp"
 
-/// What the parts of an Engine consist of, for an archive (Writer or Reader).
+/// Serialisation of the parts of an Engine, for an archive (Writer or Reader).
 namespace limpet::model::internal {
 
-/// A class that is taken apart into plain data, and put together from it.
+/// Serialises a class as the plain data that take_apart() gives, from which put_together() makes it again.
 template <class Archive, class T, class TakeApart, class PutTogether>
 void describe_taken_apart(Archive& archive, T& x, const TakeApart& take_apart,
                           const PutTogether& put_together) {
@@ -92,7 +92,7 @@ void describe(auto& archive, Is<Segment> auto& s) {
 void describe(auto& archive, Is<PolygonDue> auto& due) {
   archive(due.changed, due.unshared, due.fresh, due.corners_due, due.next_share, due.shared_later);
 }
-void describe(auto& archive, Is<Counts> auto& c) {  // those that are not counted anew each time
+void describe(auto& archive, Is<Counts> auto& c) {  // the others are counted anew each time
   archive(c.refused, c.expired, c.sets, c.redundant_by_count, c.redundant_by_position);
 }
 void describe(auto& archive, Is<Parameters> auto& p) {
@@ -109,7 +109,7 @@ void describe(auto& archive, Is<Parameters> auto& p) {
       });
 }
 
-/// All of an engine that lasts between two calls, but for its parameters and what state.cpp stores by itself.
+/// Everything of an engine that outlasts a call, except its parameters and what state.cpp stores itself.
 void describe(auto& archive, Is<Engine> auto& e) {
   archive(e.counts);
   Storage::describe_complex(archive, e.complex);

@@ -8,13 +8,13 @@
 
 namespace limpet::model::internal {
 
-/// Where something has changed and is to be looked at again: a few boxes in the world. Near ones are joined,
-/// so that a change here and one far away do not ask for a look at all that lies between.
+/// Where something has changed and is to be looked at again: a few boxes in the world. Only boxes near each
+/// other are joined, so that two changes far apart do not call for a look at all that lies between them.
 class DirtyRegion {
  public:
   DirtyRegion() = default;
   DirtyRegion(const Box3& place) { add(place); }  // NOLINT(google-explicit-constructor): a box is a region
-  /// What boxes() told.
+  /// The region that has these boxes().
   static DirtyRegion of_boxes(std::vector<Box3> boxes) {
     DirtyRegion region;
     region.boxes_ = std::move(boxes);
@@ -34,7 +34,7 @@ class DirtyRegion {
 
 /// Slots of segments near the region, in ascending order.
 void query(const SpatialIndex&, const DirtyRegion&, std::vector<std::uint32_t>& found);
-/// Where those of the edges lie that are still there.
+/// The places, in the world, of those of the edges that are still on the perimeter.
 DirtyRegion region_of(const PolygonPart&, const PlacedEdges&);
 
 }  // namespace limpet::model::internal

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// A young segment whose points mostly belong to a mature neighbour (a sliver across an edge, say) is
-// dissolved, and its points find their segments again.
+// A young segment is dissolved if a fifth of its points fit mature neighbours, as those of a sliver across an
+// edge do. Its points are inserted again.
 #include <algorithm>
 
 #include "dissolve_internal.hpp"
@@ -25,7 +25,8 @@ bool fits(const Setting& setting, const RawPoint& raw, const Segment& polygon) {
          standing(setting, polygon, p, raw.axis, h * h, raw.variance).near;
 }
 
-/// Does a point of the young segment that lies within λ of where the polygon has changed fit it now?
+/// Does the polygon fit a point of the young segment that lies within λ of a place where the polygon has
+/// changed?
 bool fits_where_changed(const Setting& setting, const Segment& young, const Segment& polygon,
                         const DirtyRegion& changed) {
   const auto& raw_points = young.data.raw();
@@ -41,13 +42,14 @@ bool fits_where_changed(const Setting& setting, const Segment& young, const Segm
   });
 }
 
-/// Looks for young segments whose points belong to mature polygons.
+/// Finds young segments whose points fit mature polygons.
 class Misfits {
  public:
   Misfits(const Complex& complex, Agenda& agenda) : complex_(complex), agenda_(agenda) {}
 
-  /// Young polygons that were modified, and all young segments near where a mature polygon's description
-  /// changed, by identity. The points of point segments have been tried on all polygons when they came.
+  /// The young polygons that were modified, and all young segments near places where a mature polygon's
+  /// description changed, by identity. Modified point segments need no look: their points were tried on all
+  /// polygons when they came.
   Turn to_look_at() {
     Turn look;
     for (const std::uint32_t slot : agenda_.modified()) {
@@ -61,7 +63,8 @@ class Misfits {
     return look;
   }
 
-  /// Does a fifth of the points fit mature neighbours? Asked only when one that has not been looked at does.
+  /// Do a fifth of the points fit mature neighbours? They are counted only if a point that has not been tried
+  /// yet fits. Never true once a point has reached kMaxReturns.
   bool mostly_fits_neighbours(const Segment& s) {
     const auto fits_one = [&](const RawPoint& raw) {
       return std::any_of(polygons_.begin(), polygons_.end(),
@@ -110,7 +113,8 @@ class Misfits {
   std::vector<std::uint32_t> found_;
 };
 
-/// A young polygon is looked at once more before it becomes mature.
+/// Did a young polygon of at least `from_count` points get them too slowly (rule `arrival`)? Asked at
+/// promotion, and again shortly before it becomes mature.
 bool came_too_slowly(const Complex& complex, const Segment& s, std::int64_t from_count) {
   return complex.rules().arrival && s.polygon && s.count() >= from_count &&
          too_few_arrived(complex, s.fit, s.data.sums().since);

@@ -4,14 +4,15 @@
 #include "complex_internal.hpp"
 #include "insertion_internal.hpp"
 
-/// Segments that are taken apart, their points to be inserted again.
+/// Dissolving segments: they are deleted, and their points are inserted again.
 namespace limpet::model::internal {
 
-/// Young segments of which many points fit mature polygons now (rule `dissolve`); whether there were any.
+/// Dissolves young segments of which a fifth of the points fit mature polygons, and polygons about to become
+/// mature that got too few points (rules `dissolve`, `arrival`). Returns whether there were any.
 bool dissolve_young(Complex&, Agenda&, Insertion&);
-/// Young polygons to which far fewer points came than to the rest of the scene (rule `arrival`).
+/// Dissolves young polygons that got far fewer points than the rest of the scene (rule `arrival`).
 void release_slow_polygons(Complex&, Insertion&);
-/// Young point segments, at the end of input: the model has grown since they came.
+/// Dissolves all young point segments at the end of input, as the model has grown since their points came.
 void release_all_point_segments(Complex&, Insertion&);
 
 }  // namespace limpet::model::internal

@@ -61,7 +61,7 @@ void EdgeTable::erase(EdgeId edge) {
   std::size_t hole = index_of(edge);
   if (!places_[hole].edge) return;
   --size_;
-  // Entries behind the hole move up to it, unless that would put them before their home.
+  // Later entries of the probe sequence move up into the hole, unless that would put them before their home.
   for (std::size_t i = (hole + 1) & mask; places_[i].edge; i = (i + 1) & mask) {
     if (((i - home(places_[i].edge)) & mask) < ((i - hole) & mask)) continue;
     places_[hole] = places_[i];

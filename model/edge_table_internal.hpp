@@ -11,39 +11,39 @@
 
 namespace limpet::model::internal {
 
-/// Where an edge is, and its other copy if it is shared (thesis §2.2).
+/// Where an edge is, and its partner, if it is shared (thesis §2.2).
 struct EdgePlace {
   std::uint32_t segment = 0;                ///< slot of its segment
-  geometry::Slot slot = geometry::kNoSlot;  ///< none: it is about to be put there, or has just gone
+  geometry::Slot slot = geometry::kNoSlot;  ///< none: it is being put in place, or has just been removed
   geometry::EdgeId partner;                 ///< none: an open edge
 };
 
-/// Every edge of a model by its identity, and which edges two segments share. Identities decide here, never
-/// coordinates.
+/// Every edge of a model by its identity, and the edges that any two segments share. Coordinates play no part
+/// here.
 ///
-/// Invariant: partners are mutual, and on two segments; the pairs listed between two segments are those of
-/// the edges that have partners.
+/// Invariant: partners are mutual, and on different segments; the edges listed between two segments are
+/// exactly those that have partners there.
 ///
-/// An open-addressed table with linear probing: identities ascend and are looked up a few times for every
-/// change of a perimeter.
+/// A hash table with open addressing: every change of a perimeter looks up several edges.
 class EdgeTable {
  public:
   EdgeTable() : places_(16) {}
 
-  /// Nothing when there is no such edge. Valid until the next change.
+  /// Null when there is no such edge. The pointer is valid until the table changes.
   const EdgePlace* find(geometry::EdgeId edge) const {
     const Entry& entry = places_[index_of(edge)];
     return entry.edge ? &entry.place : nullptr;
   }
-  /// Precondition: there is.
+  /// Precondition: there is such an edge.
   const EdgePlace& at(geometry::EdgeId edge) const { return *find(edge); }
   bool shared(geometry::EdgeId edge) const {
     const EdgePlace* place = find(edge);
     return place && place->partner;
   }
-  /// The copy on the other side. Precondition: the edge is shared.
+  /// The place of its partner. Precondition: the edge is shared.
   const EdgePlace& across(geometry::EdgeId edge) const { return at(at(edge).partner); }
-  /// The edges that the segments in two slots share: the copies on the one in the lower slot, ascending.
+  /// The edges that the segments in two slots share, as their copies on the segment in the lower slot,
+  /// ascending.
   std::span<const geometry::EdgeId> between(std::uint32_t a, std::uint32_t b) const;
 
   std::size_t size() const { return size_; }
@@ -55,20 +55,19 @@ class EdgeTable {
       if (entry.edge) f(entry.edge, entry.place);
   }
 
-  /// An edge is on this segment from now on; a partner stays. Returns the segment it was on; kNowhere when it
-  /// was not known.
+  /// Puts an edge on this segment; it keeps its partner. Returns the slot of the segment it was on, or
+  /// kNowhere when it is new.
   std::uint32_t put(geometry::EdgeId, std::uint32_t segment, geometry::Slot);
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
-  /// A shared edge has left its perimeter, but not been unshared yet.
+  /// A shared edge has been removed from its perimeter, but not unshared yet.
   void lose_slot(geometry::EdgeId edge) { find_mutable(edge)->slot = geometry::kNoSlot; }
   /// Precondition: it is not shared.
   void erase(geometry::EdgeId);
-  /// Precondition: both are there, open, and on two segments.
+  /// Makes two edges partners. Precondition: both exist, are open, and are on different segments.
   void pair(geometry::EdgeId a, geometry::EdgeId b);
-  /// Precondition: the edge is shared. Both copies are open from now on.
+  /// Makes both copies of an edge open. Precondition: it is shared.
   void unpair(geometry::EdgeId);
-  /// Pairs of slots whose segments have become neighbours, or are none any more, since last taken. They may
-  /// be back to what they were.
+  /// Pairs of slots whose segments have become neighbours, or ceased to be, since the last call, or both.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> take_changed_links() {
     return std::exchange(changed_links_, {});
   }
@@ -82,7 +81,7 @@ class EdgeTable {
   std::size_t home(geometry::EdgeId edge) const {
     return (edge.value * 0x9e3779b97f4a7c15u) >> 32 & (places_.size() - 1);
   }
-  /// Where an edge is in the table, or would be put.
+  /// The index of an edge in the table, or the free one where it would be put.
   std::size_t index_of(geometry::EdgeId edge) const {
     std::size_t i = home(edge);
     while (places_[i].edge && places_[i].edge != edge) i = (i + 1) & (places_.size() - 1);
@@ -96,14 +95,15 @@ class EdgeTable {
   void list(geometry::EdgeId);
   void unlist(geometry::EdgeId);
 
-  std::vector<Entry> places_;  ///< a power of two of them, at most half of them taken
+  std::vector<Entry> places_;  ///< a power of two, at most half of them taken
   std::size_t size_ = 0, pair_count_ = 0;
-  /// Of each pair of neighbours, by their slots, the copies on the one in the lower slot, ascending.
+  /// For each two neighbours, by their slots, the edges they share: the copies on the one in the lower slot,
+  /// ascending.
   std::unordered_map<std::uint64_t, std::vector<geometry::EdgeId>> between_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> changed_links_;
 };
 
-/// Lists of edges in ascending order.
+/// For ascending lists of edges. Inserting an edge twice, or erasing one that is not there, does nothing.
 void insert_sorted(std::vector<geometry::EdgeId>& edges, geometry::EdgeId edge);
 void erase_sorted(std::vector<geometry::EdgeId>& edges, geometry::EdgeId edge);
 

@@ -14,20 +14,20 @@
 
 namespace limpet::model::internal {
 
-/// A model: rooms that each own their state (docs/architecture.md), and the update procedure that calls
-/// them. Nothing of it is installed.
+/// The inside of a model: parts that each own their state (docs/architecture.md, "rooms"). The update
+/// procedure works on them. This header is not installed.
 struct Engine {
   explicit Engine(const Parameters& p) : setting(p) {}
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  const Setting setting;  ///< what it is built to
+  const Setting setting;  ///< parameters, and what follows from them
   Agenda agenda{setting.parameters.neighbours};
   Complex complex{setting, agenda};
   Labels labels;
   Successors successors;
   Insertion insertion{complex, agenda, labels};
-  Counts counts;  ///< of what is not counted by looking; points are Complex::now()
+  Counts counts;  ///< only those that cannot be counted from the rest; Counts::points is Complex::now()
   StageClock clock;
 };
 
@@ -36,7 +36,7 @@ struct Engine {
 void add_initial_faces(Engine&, std::span<const InitialFace>);
 void update_set(Engine&, std::span<const SensorPoint>);
 void finish(Engine&);
-/// How far the last look of finish() goes.
+/// How far the last rounds of finish() search.
 SharingReach last_reach(const Rules&);
 
 }  // namespace limpet::model::internal

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// A ray through the model: it walks along the index, and each polygon whose box it enters is looked at there.
+// The first hit of a ray. It walks along the spatial index, and each polygon is tested where the ray enters
+// its box.
 #include "first_hit_internal.hpp"
 
 #include "outwards_internal.hpp"
@@ -58,7 +59,8 @@ std::optional<View::Hit> first_hit(const Complex& complex, const Vector3d& from,
   complex.polygons().walk(from, axis, range, 2 * rounding, [&](std::uint32_t slot, double begin, double end) {
     const Segment& s = complex.at(slot);
     if (!is_asked(which, s)) return range;
-    // It comes up in every piece that is near it, and is looked at in the one where the ray enters its box.
+    // A segment comes up in every piece of the ray near it; it is tested in the piece where the ray enters
+    // its box.
     const auto enters = entry(s.polygon->box, from, axis, room_around(complex, rounding));
     if (enters && *enters >= begin && *enters < end && *enters <= range) look(s);
     return range;

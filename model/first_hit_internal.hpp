@@ -7,7 +7,7 @@
 
 namespace limpet::model::internal {
 
-/// The first polygon that the ray along the unit vector `axis` meets. `rounding` is that near `from`.
+/// The first polygon that the ray along the unit vector `axis` meets. `rounding` is rounding_near() `from`.
 std::optional<View::Hit> first_hit(const Complex&, const Eigen::Vector3d& from, const Eigen::Vector3d& axis,
                                    double range, const Which&, double rounding);
 

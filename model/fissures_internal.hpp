@@ -5,8 +5,8 @@
 
 namespace limpet::model::internal {
 
-/// Step 3 of the update: fills fissures in the perimeters of modified polygons (thesis §2.5); whether there
-/// were any.
+/// Step 3 of the update: fills fissures in the perimeters of modified polygons (thesis §2.5). Returns whether
+/// there were any.
 bool fill_modified(Complex&, Agenda&);
 
 }  // namespace limpet::model::internal

@@ -9,11 +9,11 @@
 
 namespace limpet::model {
 
-/// Point and plane of best fit to the points behind some moments (thesis §2.2): centroid, eigenvalues u1 ≥ u2
-/// ≥ u3 of the covariance (scan's unit squared) and their axes. The normal belongs to u3; its side is the
-/// caller's to choose.
+/// Point and plane of best fit to the points that some moments are of (thesis §2.2): centroid, eigenvalues u1
+/// ≥ u2 ≥ u3 of the covariance (scan's unit squared) and their axes. The normal is the axis of u3; fit_to()
+/// chooses its sign.
 struct Fit {
-  // What every point asks for comes first, in one line of the cache.
+  // The members that every new point needs come first, within one cache line.
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double u2 = 0, count = 0;
@@ -31,16 +31,17 @@ struct Fit {
     const double in_plane2 = std::max(0.0, d.dot(d) - h * h);
     return variance / count * (1 + in_plane2 / std::max(u2, 1e-300));
   }
-  /// Standard error of the normal, radians.
+  /// Standard error of the normal, in radians, when each point has variance `variance` along it.
   double normal_error(double variance) const;
 };
 
-/// Fit with the normal turned away from `inside` (a sum of sensing axes, which point into the surface),
-/// thesis §2.4.1.
+/// The fit to some moments, with the normal turned away from `inside` (a sum of sensing axes, which point
+/// into the surface; thesis §2.4.1). `step`: the grid step, scan's unit. Precondition: at least one point.
 ///  (1) u1 ≥ u2 ≥ u3 ≥ 0 and the axes are orthonormal (of two points or more);
 ///  (2) normal · inside ≤ 0; the opposite `inside` gives the opposite normal, unless they are at
 ///      right angles;
-///  (3) all but the centroid stays, to the last bit, where the covariance does (Moments, law 2).
+///  (3) when the points move and the covariance stays the same (Moments, law 2), only the centroid changes,
+///      to the last bit.
 Fit fit_to(const Moments&, double step, const Eigen::Vector3d& inside);
 
 }  // namespace limpet::model

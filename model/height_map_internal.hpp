@@ -11,8 +11,9 @@
 
 namespace limpet::model::internal {
 
-/// A height map: how a surface lies about its plane (real table tops bend by several times the noise). Sums
-/// over the sensor points in each square of a lattice on a polygon's chart; grid steps.
+/// A height map of a surface over its plane (real table tops bend by several times the noise): sums over the
+/// sensor points in each square of a lattice on a polygon's chart. Lengths in grid steps; `side` is that of a
+/// square.
 class HeightMap {
  public:
   struct Sum {
@@ -23,12 +24,13 @@ class HeightMap {
   };
 
   void add(double side, const Sum&);
-  /// What lies in the square of p, or, where that is little, in the nine around it. Count 0: nothing.
+  /// The sum over the square of p, or, if that has few points, over the 3 × 3 squares around it. Its count
+  /// may be 0.
   Sum around(double side, geometry::Point2 p) const;
   bool empty() const { return squares_.empty(); }
-  /// All squares, in an order that depends on the surface alone.
+  /// All squares, in an order that depends only on their places.
   std::vector<Sum> squares() const;
-  /// The same with their keys, ascending.
+  /// The same with their keys, which ascend.
   std::vector<std::pair<std::uint64_t, Sum>> keyed_squares() const;
   static HeightMap of_squares(std::span<const std::pair<std::uint64_t, Sum>> squares) {
     HeightMap map;

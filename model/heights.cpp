@@ -1,8 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// A surface may lie off its plane by the tolerance, but it does so gradually: what is added must go on from
-// what lies there already, within the noise. So a table that bends is one polygon, and a step beside it none
-// of its points.
+// A surface may lie off its plane by the tolerance, but only gradually: added points must continue the
+// surface that is there already, within the noise. So a table top that bends is one polygon, but does not
+// take in the points of a step beside it.
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +26,8 @@ HeightMap::Sum seen_from(const geometry::Chart& chart, const Eigen::Vector3d& p,
   return {count, count * at.x, count * at.y, count * height};
 }
 
-/// The segment's points in the world, as far as they are known one by one, else by squares.
+/// The segment's points in the world, with counts: one by one if it keeps them, else the means of its height
+/// map's squares.
 std::vector<std::pair<Eigen::Vector3d, double>> samples(const Setting& setting, const Segment& s) {
   std::vector<std::pair<Eigen::Vector3d, double>> result;
   for (const RawPoint& raw : s.data.raw()) result.emplace_back(setting.world(raw.at), 1);

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Initial model segments (thesis §4.3): faces known beforehand. They represent no sensor points, so they
-// merge with nothing and are never modified, but share edges and corners.
+// Initial model segments (thesis §4.3): faces known beforehand. They represent no sensor points, merge with
+// nothing and are never modified, but they share edges and corners.
 #include <stdexcept>
 
 #include <limpet/geometry/predicates.hpp>

@@ -7,8 +7,8 @@
 
 namespace limpet::model::internal {
 
-/// An initial model segment (thesis §4.3). Throws std::invalid_argument, naming the face by its number, when
-/// it has no area or is no simple polygon; then nothing has changed.
+/// Adds an initial model segment (thesis §4.3). Throws std::invalid_argument, which names the face by its
+/// number, when it has fewer than three vertices, no area, or is no simple polygon; then nothing has changed.
 void add_initial(Complex&, std::size_t number, const InitialFace&);
 
 }  // namespace limpet::model::internal

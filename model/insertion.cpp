@@ -18,7 +18,7 @@ void release_points(Complex& complex, PendingPoints& pending, const Segment& s, 
   complex.remove(s);
 }
 
-/// Nearest first, ties by identity; with the thesis's rules in the order of memory.
+/// Nearest first, ties by identity. Without the rule `best`, by identity alone.
 void Insertion::order(Candidates& candidates) const {
   std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
     if (complex_.rules().best && a.distance2 != b.distance2) return a.distance2 < b.distance2;
@@ -33,7 +33,8 @@ void Insertion::add_polygon(const Segment& s, const Eigen::Vector3d& p, const Ei
   if (st.near) candidates.push_back({st.distance2, s.id, &s, st});
 }
 
-/// Of several polygons that data at p fits, the one whose surface, as it lies there, is nearest comes first.
+/// Orders several polygons that data at p fits by the height of p over their surface there (its height map,
+/// if known, else its plane).
 void Insertion::order_by_heights(const Eigen::Vector3d& p, Candidates& polygons) const {
   if (polygons.size() < 2) return;
   if (complex_.setting().relief_kept())
@@ -46,7 +47,7 @@ void Insertion::order_by_heights(const Eigen::Vector3d& p, Candidates& polygons)
   order(polygons);
 }
 
-/// Point segments within λ of s, and polygons that it fits if these are still to be tried.
+/// Lists the point segments within λ of s and, unless they have been tried, the polygons that it fits.
 void Insertion::find_neighbours(const Segment& s, bool polygons_tried) {
   Candidates &polygons = near_polygons_, &points = near_points_;
   polygons.clear(), points.clear();
@@ -73,7 +74,8 @@ void Insertion::find_neighbours(const Segment& s, bool polygons_tried) {
   polygons.insert(polygons.end(), points.begin(), points.end());
 }
 
-/// A point segment tries its neighbours until it has merged into a polygon or fits no other any more.
+/// Merges a point segment with its neighbours, until it has become part of a polygon or none of them takes
+/// it.
 void Insertion::settle(const Segment* s, bool polygons_tried) {
   for (;;) {
     find_neighbours(*s, polygons_tried);

@@ -13,19 +13,19 @@ namespace limpet::model::internal {
 /// Sensor points that are to be inserted, for the first time or again.
 using PendingPoints = std::deque<RawPoint>;
 
-/// Takes a young segment away; its points are pending again. `count_return`: this is counted against
+/// Deletes a young segment; its points are pending again. `count_return`: it counts towards their
 /// kMaxReturns.
 void release_points(Complex&, PendingPoints&, const Segment& young, bool count_return);
 
-/// Sensor points find their segments (thesis §2.3, steps 1 and 2a for points). Owns the points that are
-/// pending, and the memory that every point needs for a moment.
+/// Inserts sensor points into segments (thesis §2.3, steps 1 and 2a for points). Owns the pending points, and
+/// buffers that are reused for every point.
 class Insertion {
  public:
   Insertion(Complex& complex, Agenda& agenda, Labels& labels)
       : complex_(complex), agenda_(agenda), labels_(labels) {}
 
-  /// A reading becomes part of the segment it fits best, or a point segment that merges with its neighbours;
-  /// and so do all that are pending because of it.
+  /// Puts a point into the polygon it fits best, or makes it a point segment, which merges with its
+  /// neighbours. Then does the same with all points that are pending because of it.
   void insert(const RawPoint&);
   void insert_pending();
   PendingPoints& pending() { return pending_; }
@@ -33,7 +33,7 @@ class Insertion {
 
  private:
   struct Candidate {
-    double distance2;  ///< by which they are ordered, squared
+    double distance2;  ///< squared distance by which candidates are ordered
     SegmentId id;
     const Segment* segment;
     Standing standing;

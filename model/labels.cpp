@@ -24,7 +24,7 @@ void Labels::follow(std::span<const Change> changes) {
 }
 
 std::vector<std::uint64_t> Labels::settled(const SegmentTable& segments) const {
-  std::unordered_map<std::uint64_t, std::uint64_t> ends;  // of the ways that labels have gone
+  std::unordered_map<std::uint64_t, std::uint64_t> ends;  // where each identity has ended up
   const auto end_of = [&](std::uint64_t id) {
     std::vector<std::uint64_t> way;
     std::uint64_t last = id;
@@ -45,7 +45,7 @@ std::vector<std::uint64_t> Labels::settled(const SegmentTable& segments) const {
     return last;
   };
   std::vector<std::uint64_t> result = segments_;
-  std::uint64_t before = 0, now = 0;  // points in a row are often in one segment
+  std::uint64_t before = 0, now = 0;  // successive points are often in one segment
   for (std::uint64_t& label : result) {
     if (label != before) before = label, now = end_of(label);
     label = now;
@@ -61,8 +61,8 @@ void Labels::tidy(const SegmentTable& segments) {
 
 void Successors::follow(std::span<const Change> changes) {
   for (const Change& c : changes) {
-    // Two polygons become a new segment. What becomes part of one that stays is a point segment, or
-    // redundant.
+    // Two polygons merge into a new identity. A segment that merges into one that stays is a point segment,
+    // or redundant.
     if (c.kind == Change::Kind::merged)
       c.result == c.first ? end(c.second.value) : merge(c.first.value, c.second.value, c.result.value);
     if (c.kind == Change::Kind::deleted) end(c.first.value);

@@ -12,43 +12,43 @@
 
 namespace limpet::model::internal {
 
-/// Which segment each sensor point went to, once that is asked for (eight bytes a point).
+/// The segment that each reading went to, if that is asked for (eight bytes per reading).
 class Labels {
  public:
   void keep() { kept_ = true; }
   bool kept() const { return kept_; }
   std::size_t size() const { return segments_.size(); }
 
-  /// Another reading has come, and is nowhere yet. Returns its place; −1 where labels are not kept.
+  /// Adds the label of a new reading, 0 so far. Returns its place, or −1 when labels are not kept.
   std::int64_t add();
-  /// The point is in this segment now.
+  /// Sets the label of a point.
   void set(const RawPoint&, SegmentId);
-  /// Points of segments that merged go with them.
+  /// Follows the mergers among these changes.
   void follow(std::span<const Change>);
-  /// For each point the segment it is in now; 0: nowhere.
+  /// For each reading the segment it is in now; 0: in none.
   std::vector<std::uint64_t> settled(const SegmentTable&) const;
-  /// Forgets mergers, when they are many, by writing the labels anew.
+  /// When many mergers have been noted, applies them to the labels and forgets them.
   void tidy(const SegmentTable&);
 
  private:
   friend struct Storage;  // taking apart and putting together (storage_internal.hpp)
 
   bool kept_ = false;
-  std::vector<std::uint64_t> segments_;                       ///< that each point joined
-  std::unordered_map<std::uint64_t, std::uint64_t> goes_to_;  ///< segments that merged since
+  std::vector<std::uint64_t> segments_;                       ///< the segment that each reading joined
+  std::unordered_map<std::uint64_t, std::uint64_t> goes_to_;  ///< results of mergers since then
 };
 
-/// What became of polygon segments that merged (Model::now()).
+/// What polygon segments have become by merging (Model::now()).
 class Successors {
  public:
   void follow(std::span<const Change>);
-  /// The segment that a polygon segment is part of now; none when it is not known.
+  /// The segment that a polygon segment is part of now; none if it has not merged, or its result is gone.
   SegmentId of(SegmentId) const;
 
  private:
   friend struct Storage;  // taking apart and putting together (storage_internal.hpp)
 
-  /// Those that have become one, with the segment they are now; 0: the number is free.
+  /// Segments that have merged into one, with their present segment; `now` 0: an unused entry.
   struct Family {
     std::uint64_t now = 0;
     std::vector<std::uint64_t> members;
@@ -60,7 +60,7 @@ class Successors {
 
   std::vector<Family> families_;
   std::vector<std::uint32_t> free_;
-  std::unordered_map<std::uint64_t, std::uint32_t> family_;  ///< by segment, past and present ones
+  std::unordered_map<std::uint64_t, std::uint32_t> family_;  ///< by segment, past or present
 };
 
 }  // namespace limpet::model::internal

@@ -5,10 +5,10 @@
 
 #include "complex_internal.hpp"
 
-/// Lengths and places for questions about the model (view.hpp).
+/// Geometry in space for the questions of view.hpp.
 namespace limpet::model::internal {
 
-/// Length of a vector; over- and underflow only where the length itself does.
+/// Length of a vector, without intermediate over- or underflow.
 inline double length(const Eigen::Vector3d& v) {
   const auto root = [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); };
   const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
@@ -17,7 +17,7 @@ inline double length(const Eigen::Vector3d& v) {
   return scale * root(v[0] / scale, v[1] / scale, v[2] / scale);
 }
 
-/// Between two boxes, by coordinate.
+/// The gap between two boxes along each axis; 0 where they overlap.
 inline Eigen::Vector3d gap_between(const Box3& a, const Box3& b) {
   return (b.min() - a.max()).cwiseMax(a.min() - b.max()).cwiseMax(0.0);
 }
@@ -26,24 +26,24 @@ inline Box3 grown(const Box3& box, double by) {
   return {box.min() - Eigen::Vector3d::Constant(by), box.max() + Eigen::Vector3d::Constant(by)};
 }
 
-/// What holds a segment, but for rounding: that of a vertex may be beyond it by a grid step.
+/// A box around a segment; by rounding, a vertex may lie outside it by up to a grid step.
 inline Box3 tight_box(const Segment& s) { return s.polygon ? s.polygon->box : Box3(s.fit.centroid); }
 
-/// More than coordinates that have to do with a question at `around` are rounded by, scan's unit: one grid
-/// step, for what belongs to the model (2^48 steps at most), and the rounding of what is farther away. What
-/// is ruled out by a bound is ruled out with this to spare.
+/// An upper bound on the rounding errors of coordinates in a question about `around`, scan's unit: a grid
+/// step for places in the model (2^48 steps at most), and more for places farther away. It is the margin with
+/// which bounds rule out segments.
 inline double rounding_near(const Complex& complex, const Box3& around) {
   return complex.setting().step +
          0x1p-48 * std::max(around.min().cwiseAbs().maxCoeff(), around.max().cwiseAbs().maxCoeff());
 }
 
-/// How much boxes are grown before anything is ruled out by them.
+/// How much boxes are enlarged before segments are ruled out by them.
 inline double room_around(const Complex& complex, double rounding) {
   return complex.setting().lambda / 64 + rounding;
 }
 
-/// A polygon in the frame of its chart: coordinates along u, v and the chart's normal from its origin, in
-/// grid steps. There it is the perimeter (x, y) lifted to z = h(x, y), its published plane.
+/// A polygon in the frame of its chart: coordinates x, y, z along u, v and the chart's normal, in grid steps.
+/// In this frame the polygon is its perimeter, in (x, y), lifted to the published plane z = h(x, y).
 class Lifted {
  public:
   explicit Lifted(const PolygonPart& part)
@@ -61,24 +61,24 @@ class Lifted {
     return direction(world - part_.chart.origin());
   }
 
-  /// How far p is above the plane along the chart's normal.
+  /// Height of p above the plane, along the chart's normal.
   double rise(const Eigen::Vector3d& p) const { return p.z() - part_.published({p.x(), p.y()}); }
-  /// The same of a direction: by how much it climbs away from the plane.
+  /// By how much the rise grows along a direction.
   double climb(const Eigen::Vector3d& d) const {
     return d.z() - (part_.published.hx * d.x() + part_.published.hy * d.y());
   }
-  /// Distance from the plane, positive outside, of what rises so far above it.
+  /// Signed distance from the plane, positive outside, of a point with this rise.
   double height(double rise) const { return rise / length_; }
   /// The foot of the perpendicular from p on the plane, as a chart point.
   geometry::Point2 foot(const Eigen::Vector3d& p, double rise) const {
     const double t = rise / (length_ * length_);
     return {p.x() + t * part_.published.hx, p.y() + t * part_.published.hy};
   }
-  /// A chart point on the plane.
+  /// The point of the plane over a chart point.
   Eigen::Vector3d lifted(geometry::Point2 p) const { return {p.x, p.y, part_.published(p)}; }
   /// The same in the world.
   Eigen::Vector3d world(geometry::Point2 p) const { return part_.chart.at(p, part_.published(p)); }
-  /// Of two chart displacements, the product that they have on the plane.
+  /// Inner product of two chart displacements lifted to the plane.
   double product(geometry::Point2 a, geometry::Point2 b) const {
     const geometry::Lift& lift = part_.published;
     return dot(a, b) + (lift.hx * a.x + lift.hy * a.y) * (lift.hx * b.x + lift.hy * b.y);
@@ -92,16 +92,17 @@ class Lifted {
   double length_;
 };
 
-/// What of a plane, or line, is within `limit` of a point at this height over it is within this distance of
-/// its foot; all lengths in one unit, with `slack` to spare.
+/// An upper bound, with `slack` to spare, on the distance from its foot at which a plane or line is still
+/// within `limit` of a point `height` above it. All lengths in one unit.
 inline double reach_on_plane(double limit, double height, double slack) {
   const double h = std::abs(height);
   return std::sqrt(std::max(0.0, limit - h + slack) * (limit + h + slack)) + slack;
 }
 
-/// Looks at the edges of a perimeter from those near a chart box outwards: look(slot) returns how far edges
-/// are still of interest, at most `within`. Stops when all these, but for `slack`, have been looked at, some
-/// of them more than once. Chart distances, in grid steps: never more than distances on the lifted plane.
+/// Visits the edges of a perimeter from a chart box outwards. look(slot) returns the distance up to which
+/// edges are still of interest, at most `within`. Stops when all edges up to that distance, plus `slack`,
+/// have been visited, some of them more than once. Distances are in the chart, in grid steps; on the lifted
+/// plane they can only be larger.
 template <class Look>
 void look_at_edges_near(const geometry::Polygon& perimeter, const geometry::Box2& from, double within,
                         double slack, Look&& look) {
@@ -110,7 +111,8 @@ void look_at_edges_near(const geometry::Polygon& perimeter, const geometry::Box2
   const double gap_y = std::max({0.0, box.low.y - from.high.y, from.low.y - box.high.y});
   const double gap = std::sqrt(gap_x * gap_x + gap_y * gap_y);
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
-  // About as wide as a cell of the index; a perimeter without one is looked at as a whole at once.
+  // About as wide as a cell of the perimeter's edge index; a perimeter without an index is visited whole at
+  // once.
   constexpr std::size_t kFew = geometry::EdgeIndex::kMinimum;
   const auto edges = static_cast<double>(std::max(perimeter.edge_count(), kFew));
   const bool indexed = perimeter.edge_count() >= kFew || perimeter.slot_count() > 2 * kFew;
@@ -119,7 +121,7 @@ void look_at_edges_near(const geometry::Polygon& perimeter, const geometry::Box2
   for (;;) {
     const double reach = std::min(within, gap + span);
     if (gap > reach + slack) return;
-    // Of the perimeter's box, what is within that distance.
+    // The box that holds the part of the perimeter's box within that distance.
     const double x = reach_on_plane(reach, gap_y, slack), y = reach_on_plane(reach, gap_x, slack);
     perimeter.any_edge_near({{from.low.x - x, from.low.y - y}, {from.high.x + x, from.high.y + y}},
                             [&](geometry::Slot s) {

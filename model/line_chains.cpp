@@ -45,12 +45,12 @@ class ChainWalk {
     return !node.shared || complex_.edges().across(node.edge).segment == other_;
   }
 
-  /// Edges in the window that come near the line, by identity.
+  /// The edges near the line within the window, by identity.
   std::vector<std::pair<geometry::EdgeId, Slot>> seeds() const {
     std::vector<std::pair<geometry::EdgeId, Slot>> found;
     const Point2 across_window =
         part_.chart.project(line_.at(window_.end)) - part_.chart.project(line_.at(window_.begin));
-    // So many boxes along the line, each with the reach around it, have the smallest area together.
+    // Of boxes along the line, each enlarged by the reach, this number has the smallest total area.
     const double best =
         std::sqrt(std::abs(across_window.x * across_window.y)) * complex_.setting().step / (2 * reach_);
     const auto pieces = static_cast<int>(std::clamp(std::round(best), 1.0, 4096.0));
@@ -61,8 +61,8 @@ class ChainWalk {
       box.add(part_.chart.project(line_.at(from)));
       box.add(part_.chart.project(line_.at(to)));
       part_.perimeter.any_edge_near(box.grown(reach_ / complex_.setting().step), [&](Slot s) {
-        // Shared edges come into chains from the open ones beside them; to be joined with others they need no
-        // open one, but that can wait for the end.
+        // Shared edges join a chain from the open edges beside them. To join shared edges with each other,
+        // chains start from these, too, but only when finishing.
         if (part_.perimeter.node(s).shared && !(from_shared_ && passable(s))) return false;
         const Station u = station(s), v = station(part_.perimeter.next(s));
         const bool beside = near(u) || near(v) || (u.offset < 0) != (v.offset < 0);
@@ -76,7 +76,7 @@ class ChainWalk {
     return found;
   }
 
-  /// Where the edge between a near station and a far one, or two far ones, leaves the strip beside `far`.
+  /// The point where the edge from `from` to `far` leaves the strip around the line, on the side of `far`.
   Station cut(const Station& from, const Station& far) const {
     const double limit = std::copysign(0.999 * reach_, far.offset);
     const double fraction = (limit - from.offset) / (far.offset - from.offset);
@@ -124,7 +124,8 @@ class ChainWalk {
   std::unordered_set<std::uint32_t> visited_;
 };
 
-/// Length along the line, by direction, of what of the chains is where.
+/// The interval of the line that an edge of a chain covers, and whether the edge runs along the line
+/// (forward).
 struct Stretch {
   double begin, end;
   bool forward;
@@ -186,7 +187,7 @@ Concavity concavity_of(const Complex& complex, const Segment& a, const Segment& 
                          line.place_of(a.polygon->position(a.polygon->perimeter.next(s)));
     return forward ? Concavity::convex : Concavity::concave;
   }
-  // The two registers of §2.6.1: overlaps of edges that run opposite to each other.
+  // The two registers of §2.6.1: total overlap of edges that run in opposite directions.
   double convex = 0, concave = 0;
   const auto of_b = stretches_of(chains_b);
   for (const Stretch& p : stretches_of(chains_a))

@@ -8,23 +8,23 @@
 
 namespace limpet::model::internal {
 
-/// A perimeter point near a common line.
+/// A point of a perimeter near the common line of two segments.
 struct Station {
-  double place = 0;   ///< of its foot on the line, scan's unit
-  double offset = 0;  ///< in the polygon's plane from the line, scan's unit; the sign tells the side
+  double place = 0;   ///< coordinate of its foot along the line, scan's unit
+  double offset = 0;  ///< signed distance from the line in the polygon's plane, scan's unit
   geometry::Point2 at;
-  geometry::Slot vertex = geometry::kNoSlot;  ///< none: a point on the edge before or behind it
+  geometry::Slot vertex = geometry::kNoSlot;  ///< none: a point inside the adjacent edge of the chain
 };
 
-/// A stretch of perimeter that lies within reach of a common line and on which the only shared edges are
-/// those of the two segments (thesis §2.6): stations one after the other, and the edges from each to the
-/// next.
+/// A stretch of a perimeter within reach of the common line of two segments, with no shared edges except
+/// those between the two (thesis §2.6): its successive stations, and the edges from each to the next.
 struct LineChain {
   std::vector<Station> stations;
-  std::vector<geometry::Slot> edges;  ///< one less than the stations
+  std::vector<geometry::Slot> edges;  ///< one fewer than the stations
 };
 
-/// A polygon's vertices as they lie along a common line. The same vertex gives the same numbers every time.
+/// The vertices of a polygon in coordinates of a common line. The same vertex always gives the same numbers,
+/// to the bit.
 class LineView {
  public:
   LineView(const Setting& setting, const PolygonPart& part, const CommonLine& line)
@@ -38,7 +38,7 @@ class LineView {
   }
 
  private:
-  /// A coordinate along a direction from the line's origin, as a function of the chart point.
+  /// The coordinate along a direction, from the line's origin, as an affine function of the chart point.
   struct Affine {
     double c0, cx, cy;
     double operator()(geometry::Point2 p) const { return c0 + cx * p.x + cy * p.y; }
@@ -55,31 +55,33 @@ class LineView {
   Affine place_, offset_;
 };
 
-/// A piece of a line: from one place to another.
+/// A piece of a line, between two coordinates along it.
 struct LineWindow {
   double begin = 0, end = 0;
 };
 
-/// Takes the line's part inside a box out of a window; whether anything is left.
+/// Restricts a window to the part of the line inside a box. Returns whether anything is left.
 bool clip(LineWindow&, const CommonLine&, const Box3&);
 
-/// The line where the planes of two polygons meet, and the stretch of it on which both can be near it.
-/// Nothing when the normals differ by less than μ, or there is no such stretch.
+/// The line where the planes of two polygons meet, and the window in which it is within λ of the boxes of
+/// both. Nothing when the normals differ by less than μ, or there is no such window.
 struct LineBetween {
   CommonLine line;
   LineWindow window;
 };
 std::optional<LineBetween> line_between(const Setting&, const PolygonPart& a, const PolygonPart& b);
 
-/// All chains of `a` along its line with `b` that come into the window, in its perimeter's direction.
+/// All chains of `a` along its line with `b` that reach into the window, each in the direction of the
+/// perimeter of `a`.
 std::vector<LineChain> line_chains(const Complex&, const Segment& a, const Segment& b, const CommonLine&,
                                    const LineWindow&, const SharingReach&);
 
-/// Convex or concave, where `a` comes first in the line's n₁ × n₂ (thesis §2.6.1).
+/// The concavity of two segments (thesis §2.6.1).
 enum class Concavity { undecided, convex, concave };
 
-/// That of neighbours is the one of any edge they share; else it is decided by the edges that lie opposite to
-/// each other along the line.
+/// The concavity of neighbours follows from any edge they share; else, from the edges of their chains that
+/// lie opposite each other along the line. Precondition: the line is along n₁ × n₂, with n₁ the normal of
+/// `a`.
 Concavity concavity_of(const Complex&, const Segment& a, const Segment& b, const CommonLine&,
                        const std::vector<LineChain>& chains_a, const std::vector<LineChain>& chains_b);
 

@@ -1,6 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// A cheap look at two polygons, before one is brought into the other's chart to be merged. Most that have
+// A cheap test before a polygon is projected into another's chart to be merged. Most polygons with
 // neighbouring boxes do not meet, least of all where one of them has just changed.
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/geometry/search.hpp>
@@ -25,7 +25,7 @@ bool holds(const PolygonPart& a, geometry::Point2 p) {
   return a.perimeter.locate(geometry::round_to_grid(p)) != geometry::Polygon::Side::outside;
 }
 
-/// The box of a world box in the chart.
+/// A box in the chart around the projection of a world box.
 geometry::Box2 seen_in(const geometry::Chart& chart, const Box3& box) {
   geometry::Box2 result;
   for (int corner = 0; corner < 8; ++corner)
@@ -33,7 +33,7 @@ geometry::Box2 seen_in(const geometry::Chart& chart, const Box3& box) {
   return result;
 }
 
-/// Has a, in this box, an edge within the gap of b or in it?
+/// Has `a`, in this box of its chart, an edge within λ of `b` or inside it?
 bool edge_meets(const Setting& setting, const PolygonPart& a, const geometry::Box2& box,
                 const PolygonPart& b) {
   return a.perimeter.any_edge_near(box, [&](geometry::Slot s) {

@@ -10,8 +10,9 @@
 namespace limpet::model::internal {
 namespace {
 
-/// The rules that look at the merged moments: the thesis's variance, and the initial plane while the polygon
-/// is young (later the fit moves too little between two refits to drift unseen).
+/// The conditions on the merged data: the normal faces outside; the variance (thesis, and where the fit could
+/// not be published); and the initial plane while the polygon is young (later, the fit moves too little
+/// between two refits).
 template <class Data>  // Moments, or a single GridPoint
 bool merged_fit_accepted(const Setting& setting, const Segment& polygon, const Data& added,
                          const Eigen::Vector3d& axis) {
@@ -27,7 +28,8 @@ bool merged_fit_accepted(const Setting& setting, const Segment& polygon, const D
   return !differs_from_initial(setting, *polygon.polygon, fit);
 }
 
-/// The projected point becomes a vertex unless it is inside, or so near that it adds nothing.
+/// Makes the projected point a vertex, unless it is inside, or so near that it adds nothing. False if the
+/// extension was refused.
 bool extend_perimeter(Complex& complex, const Segment& polygon, const Standing& st) {
   const double gap = complex.setting().gap;
   if (!st.outside || (complex.rules().near && st.perimeter_distance < gap / 4)) return true;

@@ -11,7 +11,8 @@
 namespace limpet::model::internal {
 namespace {
 
-/// Points of point segments around a new polygon may fit it now: each tries again on its own.
+/// Dissolves the young point segments around a new polygon: each of their points is inserted again and may
+/// fit it now.
 void release_neighbours(Complex& complex, PendingPoints& pending, const Segment& polygon) {
   Turn near;
   complex.points().any_of(polygon.indexed, [&](std::uint32_t slot) {
@@ -32,7 +33,7 @@ void become_polygon(Complex& complex, PendingPoints& pending, const Segment& s,
 /// Young point segments within 2λ of a point segment, nearest first, ties by identity.
 std::vector<const Segment*> young_points_around(const Complex& complex, const Segment& seed) {
   const double lambda = complex.setting().lambda, reach = 2 * lambda;
-  // Indexed boxes reach λ beyond what they hold.
+  // Boxes in the index reach at least λ beyond their segments.
   std::vector<std::pair<double, const Segment*>> near;
   complex.points().any_of(box_around(seed.fit.centroid, reach - lambda), [&](std::uint32_t slot) {
     const Segment& s = complex.at(slot);
@@ -90,7 +91,7 @@ bool promote_patch(Complex& complex, Agenda& agenda, PendingPoints& pending, con
     trial += s->data.sums();
     const Fit fit = fit_to(trial.moments, complex.setting().step, trial.axis);
     const double variance = trial.variance / fit.count;
-    // Across an edge, or with an outlier, the points are no plane any more: that neighbour stays out.
+    // If the points are no plane any more, across an edge or with an outlier, this neighbour stays out.
     if (trial.moments.count() > 5 && fit.u3 > 4 * variance * (fit.count - 3) / fit.count) continue;
     sums = trial;
     raw.push_back(&s->data.raw());

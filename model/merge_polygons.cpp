@@ -21,8 +21,8 @@ bool within(const Box3& a, const Box3& b, double reach) {
   return a.squaredExteriorDistance(b) < reach * reach;
 }
 
-/// May the two be one plane, with a's published one until it is published anew? The smaller one's points are
-/// judged about the larger one's plane.
+/// May the two lie in one plane, at first the published plane of `a`? The points of the one with fewer points
+/// are judged by the plane of the other.
 bool planes_agree(const Setting& setting, const Segment& a, const Segment& b) {
   const Segment& small = a.count() < b.count() ? a : b;
   const Segment& large = &small == &a ? b : a;
@@ -51,7 +51,7 @@ bool planes_agree(const Setting& setting, const Segment& a, const Segment& b) {
 
 SegmentPair pair_of(const Segment& a, const Segment& b) { return std::minmax(a.id, b.id); }
 
-/// The numbers of the two descriptions, that of lower identity first.
+/// The version numbers of the two descriptions, that of the lower identity first.
 std::pair<std::uint64_t, std::uint64_t> shapes_of(const Segment& a, const Segment& b) {
   const bool in_order = a.id < b.id;
   return {(in_order ? a : b).polygon->shape, (in_order ? b : a).polygon->shape};
@@ -59,13 +59,14 @@ std::pair<std::uint64_t, std::uint64_t> shapes_of(const Segment& a, const Segmen
 
 void remember_refusal(const Complex& complex, Agenda& agenda, const Segment& a, const Segment& b) {
   agenda.remember_refusal(pair_of(a, b), shapes_of(a, b));
-  // Pairs with a segment that is gone go when there are many.
+  // When there are many entries, those with a segment that is gone are removed.
   if (agenda.refusals() > 2 * complex.segments().size() + 64)
     agenda.forget_refusals(
         [&](const SegmentPair& pair) { return !complex.find(pair.first) || !complex.find(pair.second); });
 }
 
-/// Where a merger changes what others see: at the new edges, and all over what was young before.
+/// Where the merger is a change for other segments: at the new edges, and all over segments that were young
+/// before.
 DirtyRegion changed_region(const Segment& a, const Segment& b, const PlacedEdges& put) {
   DirtyRegion places = region_of(*a.polygon, put);
   for (const Segment* s : {&a, &b})
@@ -73,7 +74,7 @@ DirtyRegion changed_region(const Segment& a, const Segment& b, const PlacedEdges
   return places;
 }
 
-/// With the thesis's rules a merger that leaves a hole fails.
+/// Without the rule `holes`, as in the thesis, a merger that leaves a hole fails.
 geometry::Merger merge_perimeters(const Setting& setting, geometry::Polygon& a, const geometry::Polygon& b,
                                   geometry::EdgeIds& ids) {
   if (setting.rules().holes) return geometry::merge_polygons(a, b, setting.gap, ids);
@@ -84,8 +85,8 @@ geometry::Merger merge_perimeters(const Setting& setting, geometry::Polygon& a, 
   return merger;
 }
 
-/// All of b becomes a's, whose perimeter is already that of both: the difference is what that has done.
-/// Returns where the description has changed.
+/// Moves everything else of b to a, whose perimeter is already that of both; `difference` says what that has
+/// changed. Returns where the description has changed.
 DirtyRegion take_over(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b,
                       BoundaryDifference&& difference, const std::vector<geometry::EdgeId>& inherited) {
   auto& corners_due = agenda.polygon(a.slot).corners_due;
@@ -104,7 +105,7 @@ DirtyRegion take_over(Complex& complex, Agenda& agenda, const Segment& a, const 
   return where;
 }
 
-/// Edges that were put in place and are shared: they come from b, and are not on their lines yet.
+/// The shared ones among edges that were put in place: they come from b, and are not on their new lines yet.
 std::vector<geometry::EdgeId> shared_among(const geometry::Polygon& perimeter, const PlacedEdges& put) {
   std::vector<geometry::EdgeId> shared;
   for (const auto& [slot, edge] : put)
@@ -149,8 +150,8 @@ bool merge_polygon_segments(Complex& complex, Agenda& agenda, const Segment& s1,
     return remember_refusal(complex, agenda, a, b), false;
 
   keep_one_concavity(complex, a, inherited);
-  // Who had one edge with each of the two, and others between them, has them in disorder now; and cycles that
-  // have become one may be in order each, and not together.
+  // A neighbour that shared edges with both may have them out of order now, as edges shared with others may
+  // lie between them. Cycles of a that were joined may each have been in order, but not together.
   for (const std::uint32_t n : complex.neighbours_across(inherited))
     dissolve_disordered(complex, agenda, complex.at(n));
   if (!inherited.empty() || part.perimeter.joins() != joins_before) dissolve_disordered(complex, agenda, a);
@@ -166,9 +167,9 @@ bool merge_modified_polygons(Complex& complex, Agenda& agenda) {
                                 [&](const Segment& s) { return !agenda.polygon(s.slot).changed.empty(); });
   for (const auto& [id, slot] : turn) {
     const Segment* s = complex.find(id, slot);
-    if (!s) continue;  // merged away in this round; what it became is modified and has its turn next round
+    if (!s) continue;  // it has merged in this round; the result is modified and has its turn in the next
     const Turn others = polygons_near(complex, agenda.polygon(slot).changed, slot);
-    // After a merger what came of it has its own turn in the next round, with all that had changed of both.
+    // The result of a merger has its own turn in the next round, with the changes of both.
     const bool merged = std::any_of(others.begin(), others.end(), [&](const auto& other) {
       return merge_polygon_segments(complex, agenda, *s, complex.at(other.second));
     });

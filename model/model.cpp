@@ -69,7 +69,7 @@ Model Model::from_state(std::string_view bytes) {
 SegmentId Model::now(SegmentId id) const {
   const internal::Engine& e = state_->engine;
   if (e.complex.find(id)) return id;
-  for (const Change& c : e.complex.changes())  // in the order it happened, so one way is enough
+  for (const Change& c : e.complex.changes())  // in order, so one pass is enough
     if (c.kind == Change::Kind::merged && (c.first == id || c.second == id)) id = c.result;
   if (e.complex.find(id)) return id;
   return e.successors.of(id);

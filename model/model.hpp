@@ -18,9 +18,8 @@
 
 namespace limpet::model {
 
-/// A face known beforehand, as boundary cycles of vertices (world, scan's unit): the outer cycle first, then
-/// the holes, each with the interior on its left as seen from outside. Precondition, not checked: the face is
-/// flat to within λ.
+/// A face known beforehand, as boundary cycles (world, scan's unit): the outer one first, then the holes,
+/// each with the interior on its left as seen from outside. Precondition, not checked: flat to within λ.
 struct InitialFace {
   std::vector<std::vector<Eigen::Vector3d>> cycles;
 };
@@ -54,8 +53,7 @@ class View;
 ///  (2) the same calls give the same model, byte for byte;
 ///  (3) every reading is accounted for: it was refused, has expired, or is in exactly one segment;
 ///  (4) the changes that a call returns tell everything that happened to segments, edges and shared edges: a
-///      caller can keep a copy of the model by applying them, and asking where the edges that they name are
-///      now (changes.hpp);
+///      caller can keep a copy by applying them and asking where the named edges are now (changes.hpp);
 ///  (5) a shared edge has one partner, on another segment of the same surface, and is its partner's partner;
 ///      so the neighbour relation is symmetric, and a segment is in at most one surface;
 ///  (6) constant member functions change nothing observable, and may be called by several threads at once;
@@ -71,8 +69,7 @@ class Model {
   explicit Model(const Parameters&);
   /// Continues from a record. Throws std::invalid_argument when a parameter is out of range, a perimeter is
   /// not valid, a segment's identity occurs twice, or a shared edge has no partner. The laws hold for what
-  /// follows, but later calls may give another result than they would have given on the recorded model;
-  /// from_state() gives the same.
+  /// follows, but later calls may give other results than on the recorded model; from_state() keeps these.
   explicit Model(const ModelRecord&);
   ~Model();
   Model(Model&&) noexcept;
@@ -89,10 +86,9 @@ class Model {
   /// The changes are valid until the next call.
   const std::vector<Change>& update(std::span<const SensorPoint> set);
 
-  /// At the end of input: repeats steps 2 to 5 of the update on all segments until nothing changes; then once
-  /// more with sections searched for farther from their lines, and once more with short shared edges allowed
-  /// (at most 20 rounds each time). Does nothing without the rule `finish`. More sets may follow. The changes
-  /// are valid until the next call.
+  /// At the end of input: repeats steps 2 to 5 of the update until nothing changes; then again with sections
+  /// searched for farther from their lines, and again with short edges allowed (at most 20 rounds each time).
+  /// Does nothing without the rule `finish`. More sets may follow.
   const std::vector<Change>& finish();
 
   const Parameters& parameters() const;
@@ -103,31 +99,31 @@ class Model {
   View view() const;
 
   /// Everything that later calls depend on, as bytes: also what a record leaves out, such as the worklists.
-  /// The same model gives the same bytes. Another version of the program may refuse them. The size is some
-  /// tens of bytes per edge, and eight per reading where labels are kept.
+  /// The same model gives the same bytes. Another version may refuse them. Some tens of bytes per edge, and
+  /// eight per reading where labels are kept.
   std::string state() const;
   /// The model of which state() gave these bytes: every later call has the same effects and results, to the
   /// bit, as on the original. Throws std::invalid_argument when the bytes are damaged, or of another version
   /// or arithmetic.
   static Model from_state(std::string_view bytes);
 
-  /// The surfaces: connected components of the neighbour relation (thesis §2.2). Each is in ascending order,
-  /// and they are ordered by their lowest identity. A segment without neighbours is a surface of its own.
+  /// The surfaces: connected components of the neighbour relation (thesis §2.2). Each is ascending, and they
+  /// are ordered by lowest identity. A segment without neighbours is a surface of its own.
   std::vector<std::vector<SegmentId>> surfaces() const;
 
   /// The segment that this one has become part of by mergers, or this one itself; none when it was dissolved,
-  /// redundant or an outlier. For point segments and redundant polygons that merged, this is known until the
-  /// next call that changes the model; for other polygons, as long as the result of the mergers exists (some
-  /// tens of bytes for each polygon that ever merged).
+  /// redundant or an outlier. Of merged point segments and redundant polygons this is known until the next
+  /// call that changes the model; of other polygons, as long as the result exists (some tens of bytes for
+  /// each one that ever merged).
   SegmentId now(SegmentId) const;
 
   /// Which open edges finish() would close if it were called now, and why it would leave others open. It is
   /// tried on a copy, which takes about as long as state(), finish() and open_edges() together.
   Outcome would_finish() const;
 
-  /// For each open edge, the condition that refuses it a neighbour now, with sections searched for as far
-  /// away as in the last rounds of finish(). Ordered by segment, then edge; empty when Parameters::neighbours
-  /// is off. Takes about as long as one round of finish().
+  /// For each open edge, the condition that refuses it a neighbour now, at the reach of the last rounds of
+  /// finish(); by segment, then edge. Empty when Parameters::neighbours is off. Takes about as long as one
+  /// round of finish().
   std::vector<OpenEdge> open_edges() const;
 
   /// From now on, remembers which segment each reading went to (eight bytes per reading).

@@ -26,8 +26,8 @@ Eigen::Vector3d Moments::centroid(double step) const {
 }
 
 Eigen::Matrix3d Moments::covariance(double step) const {
-  // About c, the mean rounded to the grid, everything stays an integer: Σ(x−cx)(y−cy) = Σxy − cx Σy − cy Σx +
-  // m cx cy.
+  // About c, the mean rounded to whole steps, all sums stay integers: Σ(x−cx)(y−cy) = Σxy − cx Σy − cy Σx + m
+  // cx cy.
   const auto c = rounded_mean();
   const Int128 m = count_;
   const auto n = static_cast<double>(count_);

@@ -13,17 +13,16 @@ namespace limpet::model {
 /// A sensor point on the model's grid: whole multiples of the grid step about the world's origin.
 using GridPoint = std::array<std::int64_t, 3>;
 
-/// Coordinates beyond this many steps are refused: sums of squares of 2^27 points then still fit in 128 bits.
+/// Coordinates beyond this many steps are refused, so that sums of squares of 2^27 points fit in 128 bits.
 inline constexpr std::int64_t kMaxSteps = std::int64_t{1} << 48;
 
-/// Exact sums over sensor points (thesis §2.2): independent of the order in which points came and segments
-/// merged, and without cancellation far from the origin.
+/// Exact sums over sensor points (thesis §2.2), without cancellation far from the origin.
 ///  (1) The sums depend on neither the order nor the grouping of what was added;
 ///  (2) the covariance does not change, to the last bit, when all points move by whole steps and
 ///      their mean stays on the same side of the origin along each axis (it is rounded towards zero;
 ///      else the last bits may);
-///  (3) exchanging or mirroring the axes does so with centroid and covariance, to the last bit;
-///  (4) a step larger by a power of two scales them exactly.
+///  (3) exchanging or mirroring the axes exchanges or mirrors centroid and covariance, to the last bit;
+///  (4) multiplying the step by a power of two scales them exactly.
 class Moments {
  public:
   Moments() = default;
@@ -40,12 +39,12 @@ class Moments {
   void add(const Moments& other);
 
   std::int64_t count() const { return count_; }
-  /// Mean of the points, in grid steps times `step`. Precondition: count() > 0.
+  /// Mean of the points, in the unit of `step`, the length of a grid step. Precondition: count() > 0.
   Eigen::Vector3d centroid(double step) const;
-  /// Covariance matrix C of thesis §2.2, in units of step².
+  /// Covariance matrix C of thesis §2.2, in the unit of step². Precondition: count() > 0.
   Eigen::Matrix3d covariance(double step) const;
 
-  /// Mean squared distance of the points from a plane: nᵀCn + (n·(mean − point))².
+  /// Mean squared distance of the points from a plane: nᵀCn + (n·(mean − point))². Precondition: count() > 0.
   double squared_residual(const geometry::Plane& plane, double step) const;
 
   MomentsRecord record() const { return {count_, sum_, product_}; }

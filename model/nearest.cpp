@@ -1,7 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// From a point to a segment. Nearest on a polygon is the foot of the perpendicular on its plane, when that is
-// inside the perimeter, and else a place on the perimeter; in the plane, that is the one nearest to the foot.
+// The point of a segment nearest to a given point. On a polygon it is the foot of the perpendicular on its
+// plane, if that is inside the perimeter; else the point of the perimeter, on the plane, that is nearest to
+// the foot.
 #include "lifted_internal.hpp"
 #include "nearest_internal.hpp"
 
@@ -13,11 +14,11 @@ using geometry::Slot;
 
 struct OnEdge {
   Point2 at;
-  double squared = 0;  ///< distance on the plane, in grid steps
+  double squared = 0;  ///< squared distance on the plane, in grid steps
   geometry::EdgeId edge;
 };
 
-/// The place on the edge that is nearest on the plane.
+/// The point of the edge nearest to the foot, measured on the plane.
 OnEdge nearest_on_edge(const Lifted& polygon, Slot s, Point2 foot) {
   const geometry::Polygon& perimeter = polygon.perimeter();
   const Point2 a = perimeter.at(s), b = perimeter.end(s);
@@ -26,7 +27,8 @@ OnEdge nearest_on_edge(const Lifted& polygon, Slot s, Point2 foot) {
   return {at, polygon.product(off, off), perimeter.node(s).edge};
 }
 
-/// Nearest on the whole perimeter. Lengths in grid steps.
+/// The point of the perimeter nearest to the foot; may be nothing if it is farther than `within`. Lengths in
+/// grid steps.
 std::optional<OnEdge> nearest_on_perimeter(const Lifted& polygon, Point2 foot, double within, double slack) {
   std::optional<OnEdge> best;
   const geometry::Polygon& perimeter = polygon.perimeter();
@@ -45,7 +47,7 @@ std::optional<OnEdge> nearest_on_perimeter(const Lifted& polygon, Point2 foot, d
   return best;
 }
 
-/// Nearest on a polygon, not yet known to be within the limit.
+/// The nearest point of a polygon, which may still be beyond the limit.
 std::optional<View::Nearest> nearest_on(const PolygonPart& part, const Eigen::Vector3d& p, double limit,
                                         double rounding) {
   const Lifted polygon(part);

@@ -5,8 +5,8 @@
 
 #include "complex_internal.hpp"
 
-/// What one segment answers to questions about places, on its own. All the same whatever `limit` is, but for
-/// whether there is an answer. `rounding` is rounding_near() what is asked about.
+/// The nearest point of a single segment. `limit` decides only whether there is a result, not what it is.
+/// `rounding` is rounding_near() the point or link.
 namespace limpet::model::internal {
 
 // nearest.cpp
@@ -15,8 +15,8 @@ std::optional<View::Nearest> nearest_of(const Segment&, const Eigen::Vector3d& p
                                         double rounding);
 
 // nearest_to_link.cpp
-/// The point of the segment nearest to the axis, if it is within `limit` of it; the distance is from the
-/// axis.
+/// The point of the segment nearest to the link's axis, if it is within `limit` of the axis. The distance is
+/// from the axis, not from the surface.
 std::optional<View::LinkNearest> nearest_of(const Segment&, const Capsule&, double limit, double rounding);
 
 }  // namespace limpet::model::internal

@@ -1,7 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// From the axis of a link to a segment. An axis that crosses a polygon's inside is at distance 0. Else the
-// nearest pair of points has an end of the axis over the inside, or a place on the perimeter.
+// The point of a segment nearest to the axis of a link. An axis that crosses the inside of a polygon has
+// distance 0. Else one point of the nearest pair is an end of the axis over the inside, or lies on the
+// perimeter.
 #include <array>
 
 #include "lifted_internal.hpp"
@@ -14,11 +15,11 @@ using Eigen::Vector3d;
 using geometry::Point2;
 using geometry::Slot;
 
-/// A straight piece between two points.
+/// A line segment between two points.
 struct Piece {
   Vector3d a, b;
   Vector3d at(double t) const { return t == 1 ? b : Vector3d(a + t * (b - a)); }
-  /// How far along it the nearest point to p is.
+  /// The parameter, from 0 at a to 1 at b, of the point nearest to p.
   double nearest(const Vector3d& p) const {
     const Vector3d along = b - a;
     const double length2 = along.dot(along);
@@ -26,7 +27,7 @@ struct Piece {
   }
 };
 
-/// A place on each of two pieces, as parts of their lengths.
+/// A point on each of two pieces, as parameters from 0 to 1, and their squared distance.
 struct Places2 {
   double s = 0, t = 0, squared = 0;
 };
@@ -36,13 +37,13 @@ Places2 places(const Piece& p, const Piece& q, double s, double t) {
   return {s, t, d.dot(d)};
 }
 
-/// Where the common perpendicular of the two lines meets them, if that is between the ends.
+/// The feet of the common perpendicular of the two lines, if both are between the ends.
 std::optional<Places2> across(const Piece& p, const Piece& q) {
   const Vector3d u = p.b - p.a, v = q.b - q.a, n = u.cross(v);
   const double nn = n.dot(n);
   if (!(nn > 0)) return std::nullopt;
   double s = 0, t = 0;
-  // Twice: where the lines are nearly parallel, the second time takes away most of the error of the first.
+  // A second round removes most of the rounding error of the first where the lines are nearly parallel.
   for (int round = 0; round < 2; ++round) {
     const Vector3d w = (q.a + t * v) - (p.a + s * u);
     s += w.cross(v).dot(n) / nn, t += w.cross(u).dot(n) / nn;
@@ -51,7 +52,7 @@ std::optional<Places2> across(const Piece& p, const Piece& q) {
   return places(p, q, s, t);
 }
 
-/// The places of the two pieces that are nearest to each other.
+/// The pair of points of the two pieces that are nearest to each other.
 Places2 nearest_places(const Piece& p, const Piece& q) {
   Places2 best = places(p, q, 0, q.nearest(p.a));
   const auto offer = [&](const Places2& other) {
@@ -64,16 +65,16 @@ Places2 nearest_places(const Piece& p, const Piece& q) {
   return best;
 }
 
-/// What is nearest on a polygon, and where on the axis.
+/// The nearest point of a polygon (chart point), and its place on the axis.
 struct Found {
   Point2 at;
-  double fraction = 0, squared = 0;  ///< distance from the axis, in grid steps
+  double fraction = 0, squared = 0;  ///< part of the axis; squared distance from it, grid steps
   geometry::EdgeId edge;
-  double side = 1;  ///< inside the polygon: of the plane, on which the axis is
+  double side = 1;  ///< if `at` is inside: the side of the plane the axis is on, ±1
   bool crossing = false;
 };
 
-/// The axis of a link and a polygon, in the frame of its chart.
+/// The axis of a link and a polygon, in the frame of the polygon's chart (Lifted).
 class AxisAndPolygon {
  public:
   AxisAndPolygon(const Lifted& polygon, const Capsule& link)
@@ -85,14 +86,14 @@ class AxisAndPolygon {
     }
   }
 
-  /// Of the end that is nearer to the plane; 0 when the axis crosses it.
+  /// Distance of the axis from the plane: that of its nearer end, or 0 when it crosses the plane.
   double height() const { return crosses() ? 0 : std::min(std::abs(height_[0]), std::abs(height_[1])); }
 
   std::optional<Found> nearest(double limit, double slack) const {
     if (height() > limit + slack) return std::nullopt;
     if (auto found = crossing()) return found;
     std::optional<Found> best = over_inside();
-    // Nothing of the polygon is nearer than the plane.
+    // No point of the polygon can be nearer than its plane.
     if (best && std::sqrt(best->squared) <= height()) return best;
     look_at_perimeter(best, limit, slack);
     return best;
@@ -103,7 +104,7 @@ class AxisAndPolygon {
     return (height_[0] <= 0 && height_[1] >= 0) || (height_[0] >= 0 && height_[1] <= 0);
   }
 
-  /// Where the axis goes through the inside.
+  /// The point where the axis goes through the inside of the polygon.
   std::optional<Found> crossing() const {
     if (!crosses()) return std::nullopt;
     const double whole = height_[0] - height_[1];
@@ -116,7 +117,7 @@ class AxisAndPolygon {
     return found;
   }
 
-  /// The nearer of the ends that are over the inside.
+  /// The foot of the nearer one of the axis's ends that are over the inside.
   std::optional<Found> over_inside() const {
     std::optional<Found> best;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -186,7 +187,7 @@ View::LinkNearest nearest_on_point(const Segment& s, const Capsule& link) {
   return result;
 }
 
-/// The same as for the point that the axis is.
+/// For a link that is a ball: the same result as for its centre.
 std::optional<View::LinkNearest> nearest_to_ball(const Segment& s, const Vector3d& centre, double limit,
                                                  double rounding) {
   const auto found = nearest_of(s, centre, limit, rounding);

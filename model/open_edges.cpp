@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Why open edges are open: the conditions of thesis §2.6 and §2.7 are asked once more, and nothing is
-// changed.
+// Why open edges are open: the conditions of thesis §2.6 and §2.7 are checked once more, without changing
+// anything.
 #include "open_edges_internal.hpp"
 
 #include <algorithm>
@@ -19,24 +19,24 @@ namespace {
 using geometry::EdgeId;
 using geometry::Slot;
 
-/// How far an attempt came that ended so.
+/// How far an attempt came that ended with this refusal; Refusal::none came farthest.
 std::size_t progress(Refusal refusal) {
   return refusal == Refusal::none ? kRefusals : static_cast<std::size_t>(refusal);
 }
 
-/// May it be so of an edge that has no other polygon within λ?
+/// May this be the refusal of an edge that has no other polygon within λ?
 bool reaches_far(Refusal refusal) {
   return refusal == Refusal::none || refusal == Refusal::bay || refusal == Refusal::ring_broken ||
          refusal == Refusal::corner_far || refusal == Refusal::corner_bay;
 }
 
-/// Sections between two places of a line, and what refused them.
+/// A stretch of a line, and the condition that refused its sections.
 struct RefusedStretch {
   double begin, end;
   Refusal refusal;
 };
 
-/// Looks at pairs of sections, forms none of them, and keeps what refused each.
+/// Records what refuses each pair of sections, and forms none.
 class Onlooker : public SectionUser {
  public:
   Refusal form(const SectionPair& pair) override {
@@ -98,7 +98,7 @@ class Explanation {
     return result;
   }
 
-  /// For each open edge, what is near it.
+  /// Notes for each open edge of s what is near it.
   void look_around(const Segment& s) {
     const PolygonPart& part = *s.polygon;
     for (std::uint32_t i = 0; i < part.perimeter.slot_count(); ++i) {
@@ -140,8 +140,8 @@ class Explanation {
     tell(b, chains->of_b, a, stretches, sign);
   }
 
-  /// Each open edge on these chains of s learns which stretch across its middle came farthest. The places of
-  /// stretches are those of the chains times `sign`.
+  /// Notes for each open edge on these chains of s the refusal of the stretch over its middle that came
+  /// farthest. A place on a chain times `sign` is a place of the stretches.
   void tell(const Segment& s, const std::vector<LineChain>& chains, const Segment& other,
             const std::vector<RefusedStretch>& stretches, double sign) {
     struct Event {
@@ -176,7 +176,7 @@ class Explanation {
     }
   }
 
-  /// The open edges between two shared ones, as far as they are near the corner to be.
+  /// Notes why no corner was formed for open edges between two shared ones, near where the corner would be.
   void look_at_corners(const Segment& s) {
     const auto& perimeter = s.polygon->perimeter;
     for (const EdgeId edge : s.polygon->shared) {

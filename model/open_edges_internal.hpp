@@ -9,8 +9,8 @@
 
 namespace limpet::model::internal {
 
-/// For each open edge the condition that last refused it a neighbour, with sections looked for so far; by
-/// segment and edge. Empty where neighbours are not asked for.
+/// For each open edge the condition that refuses it a neighbour, with sections searched for within this
+/// reach. See Model::open_edges().
 std::vector<OpenEdge> open_edges(const Complex&, const SharingReach&);
 
 }  // namespace limpet::model::internal

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// The order of shared edges on boundary cycles (thesis §2.2), and what goes when it is broken (§2.4.3, §2.6).
+// The orderings of shared edges on boundary cycles (thesis §2.2), and dissolving what breaks them (§2.4.3,
+// §2.6).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +18,7 @@ using geometry::CycleId;
 using geometry::EdgeId;
 using geometry::Slot;
 
-/// The shared edges of one cycle in its direction, with the segment beyond each.
+/// The shared edges of a cycle in its direction, and for each the slot of the neighbour across it.
 struct SharedCycle {
   std::vector<EdgeId> edges;
   std::vector<std::uint32_t> neighbours;
@@ -36,8 +37,8 @@ SharedCycle shared_on(const Complex& complex, const geometry::Polygon& perimeter
   return result;
 }
 
-/// Two neighbours whose edges alternate (a b a b): read with a stack of the neighbours still open, an edge
-/// belongs to one that another has closed.
+/// Two neighbours whose edges alternate (a b a b), if any. Neighbours are kept on a stack; returning to one
+/// closes those above it, and a further edge of a closed one is out of order.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> globally_disordered(const SharedCycle& cycle) {
   std::vector<std::uint32_t> open, closed, closed_by;
   for (const std::uint32_t n : cycle.neighbours) {
@@ -53,7 +54,8 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> globally_disordered(const
   return std::nullopt;
 }
 
-/// A neighbour on one cycle of which the partners do not come in falling order, wrapping once.
+/// A neighbour, if there is one, on one of whose cycles the partners do not follow in descending cyclic
+/// order.
 std::optional<std::uint32_t> locally_disordered(const Complex& complex, const SharedCycle& cycle) {
   // The place of each partner on its own cycle, found by walking that cycle once.
   std::map<std::pair<std::uint32_t, CycleId>, std::vector<EdgeId>> partners;
@@ -63,7 +65,7 @@ std::optional<std::uint32_t> locally_disordered(const Complex& complex, const Sh
         complex.edges().at(edge).partner);
   }
   for (const auto& [place, sequence] : partners) {
-    if (sequence.size() < 3) continue;  // two are in any order
+    if (sequence.size() < 3) continue;  // two are always in order
     const auto& perimeter = complex.at(place.first).polygon->perimeter;
     std::unordered_map<std::uint64_t, std::size_t> at;
     const SharedCycle theirs = shared_on(complex, perimeter, perimeter.cycle(place.second));
@@ -76,13 +78,14 @@ std::optional<std::uint32_t> locally_disordered(const Complex& complex, const Sh
   return std::nullopt;
 }
 
-/// No further edges are shared between the two until the next set (§2.6).
+/// Dissolves two neighbours; they share no further edges until the next set (§2.6).
 void dissolve_pair(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b) {
   agenda.note_disorder(a.id, b.id);
   complex.dissolve_neighbours(a, b);
 }
 
-/// Neighbours of s whose edges break an order on one of its cycles: one, or two that alternate.
+/// The first neighbours of s found to break an ordering on one of its cycles: one (local), or two that
+/// alternate (global).
 std::optional<std::pair<std::uint32_t, std::optional<std::uint32_t>>> first_disorder(const Complex& complex,
                                                                                      const Segment& s) {
   const auto& perimeter = s.polygon->perimeter;
@@ -105,7 +108,7 @@ bool dissolve_first_disorder(Complex& complex, Agenda& agenda, const Segment& s)
   return true;
 }
 
-/// The next shared edge from `s` on, if it is not far.
+/// The next shared edge after `s` or before it, if it is within kMaxOrderSteps edges.
 std::optional<EdgeId> shared_after(const geometry::Polygon& perimeter, Slot s, bool forward) {
   for (int i = 0; i < kMaxOrderSteps; ++i) {
     s = forward ? perimeter.next(s) : perimeter.prev(s);
@@ -145,7 +148,7 @@ void keep_one_concavity(Complex& complex, const Segment& s, const std::vector<Ed
   for (const std::uint32_t n : complex.neighbours_across(edges)) {
     const auto line = common_line(part.plane(), complex.at(n).polygon->plane(), part.box.center());
     if (!line) continue;
-    std::array<double, 2> length{};  // of the concave ones, and of the convex
+    std::array<double, 2> length{};  // of the concave edges, and of the convex ones
     std::array<std::vector<EdgeId>, 2> kinds;
     for (const EdgeId shared : complex.edges_between(s, complex.at(n))) {
       const EdgeId edge = s.slot < n ? shared : table.at(shared).partner;

@@ -7,7 +7,7 @@
 #include "complex_internal.hpp"
 #include "lifted_internal.hpp"
 
-/// Which segments to look at, those near a place first.
+/// Visiting the segments that a question is about, those near a place first.
 namespace limpet::model::internal {
 
 inline View::Kind kind_of(const Segment& s) {
@@ -22,13 +22,13 @@ inline bool is_asked(const Which& which, const Segment& s) {
                                        : which.polygons;
 }
 
-/// The segment that alone is asked about, if there is one and it is of the right kind.
+/// The segment Which::only, if it exists and is asked about; else null.
 inline const Segment* the_only(const Complex& complex, const Which& which) {
   const Segment* s = complex.find(which.only);
   return s && is_asked(which, *s) ? s : nullptr;
 }
 
-/// Calls f(segment) for those of an index that are asked about and whose indexed boxes meet `box`.
+/// Calls f(segment) for the segments of an index that are asked about and whose indexed boxes meet `box`.
 template <class F>
 void for_each_near(const Complex& complex, const SpatialIndex& index, const Which& which, const Box3& box,
                    F&& f) {
@@ -39,7 +39,7 @@ void for_each_near(const Complex& complex, const SpatialIndex& index, const Whic
   });
 }
 
-/// The same of all segments.
+/// The same for the segments of both indices. Which::only is visited wherever it is.
 template <class F>
 void for_each_near(const Complex& complex, const Which& which, const Box3& box, F&& f) {
   if (which.only) {
@@ -50,7 +50,7 @@ void for_each_near(const Complex& complex, const Which& which, const Box3& box, 
   if (which.points) for_each_near(complex, complex.points(), which, box, f);
 }
 
-/// From a box to a segment's: no point of the segment is nearer to any point of the first one.
+/// A lower bound on the distance of the segment from any point of the box `from`.
 inline double least_distance(const Complex& complex, const Box3& from, const Segment& s, double rounding) {
   return length(gap_between(from, grown(tight_box(s), room_around(complex, rounding))));
 }
@@ -74,8 +74,9 @@ class Candidates {
   std::size_t size_ = 0;
 };
 
-/// Looks at the segments of an index from those near a box outwards, first at those within `span` or where
-/// there are some; see look_outwards() below. How far away segments are then still of interest.
+/// Visits the segments of one index from a box outwards; see look_outwards() below. The first round reaches
+/// `span` beyond the nearest box of the index, each later one twice as far. Returns how far away segments are
+/// still of interest.
 template <class Look>
 double look_outwards(const Complex& complex, const SpatialIndex& index, const Which& which,
                      const Box3& around, double span, double limit, double rounding, Look&& look) {
@@ -103,9 +104,10 @@ double look_outwards(const Complex& complex, const SpatialIndex& index, const Wh
   return limit;
 }
 
-/// Looks at the segments asked about from those near a box outwards: look(segment) returns how far away
-/// segments are still of interest, at most `limit`. Each of these is looked at once; none whose box is
-/// farther. Polygons first: they are found with less effort, and then few places are left for points.
+/// Visits the segments asked about from a box outwards. look(segment) returns how far away segments are still
+/// of interest, at most `limit`. Each segment up to that distance is visited once; none whose box is farther.
+/// Polygons come first: they are found with less effort, and once one is found, few point segments are left
+/// to visit.
 template <class Look>
 void look_outwards(const Complex& complex, const Which& which, const Box3& around, double limit,
                    double rounding, Look&& look) {
@@ -120,7 +122,7 @@ void look_outwards(const Complex& complex, const Which& which, const Box3& aroun
   if (which.points) look_outwards(complex, complex.points(), which, around, first, limit, rounding, look);
 }
 
-/// Looks at all segments asked about whose boxes are within `limit` of a box.
+/// Visits all segments asked about whose boxes are within `limit` of a box.
 template <class Look>
 void look_within(const Complex& complex, const Which& which, const Box3& around, double limit,
                  double rounding, Look&& look) {

@@ -6,8 +6,8 @@
 
 namespace limpet::model::internal {
 
-/// Owns one T or none, and is constant when it is: who may only look at the owner may only look at the T.
-/// (A constant std::unique_ptr lets its T be changed.)
+/// Owns one T or none, and passes on constness: through a constant Owned the T is constant. (A constant
+/// std::unique_ptr lets its T be changed.)
 template <class T>
 class Owned {
  public:

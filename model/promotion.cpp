@@ -11,9 +11,9 @@
 namespace limpet::model::internal {
 namespace {
 
-/// Could so few points lie this close to a plane by chance? Were they spread evenly over a slab as thick as
-/// they are wide, a point would come within two standard deviations of the plane with probability q; three of
-/// them always do. The bound 10⁻⁵ is small against the number of point segments that are ever tried.
+/// Could so few points lie this close to a plane by chance? If they were spread evenly over a slab as thick
+/// as they are wide, each point would be within two standard deviations of the plane with probability q; any
+/// three of them are. The bound 10⁻⁵ allows for the many point segments that are tried.
 bool plane_by_chance(const Fit& fit, double variance) {
   const double q = std::sqrt(4 * variance / (3 * fit.u2));
   double probability = 1;
@@ -21,15 +21,14 @@ bool plane_by_chance(const Fit& fit, double variance) {
   return probability > 1e-5;
 }
 
-/// The fit without the `levers` points that most determine the plane: those farthest off the long axis. A
-/// scan line and one or two outliers lie in a plane only too easily; without the outliers they are no plane
-/// at all.
+/// The fit without the `levers` points that determine the plane most: those farthest from its long axis. A
+/// scan line and one or two outliers easily lie in a plane; the line alone determines none.
 Fit without_levers(const Setting& setting, Fit fit, const std::vector<const std::vector<RawPoint>*>& raw,
                    int levers) {
   std::vector<GridPoint> points;
   for (const auto* some : raw)
     for (const RawPoint& r : *some) points.push_back(r.at);
-  if (static_cast<double>(points.size()) != fit.count) return fit;  // not all are kept any more
+  if (static_cast<double>(points.size()) != fit.count) return fit;  // some points are not kept any more
   for (; levers > 0 && points.size() > 3; --levers) {
     const auto across = [&](const GridPoint& p) {
       return std::abs(fit.axis2.dot(setting.world(p) - fit.centroid));
@@ -39,7 +38,7 @@ Fit without_levers(const Setting& setting, Fit fit, const std::vector<const std:
     }));
     Moments moments;
     for (const GridPoint& p : points) moments.add(p);
-    fit = fit_to(moments, setting.step, -fit.normal);  // the long axis turns when its lever goes
+    fit = fit_to(moments, setting.step, -fit.normal);  // the long axis turns when a point goes
   }
   return fit;
 }
@@ -114,7 +113,7 @@ std::unique_ptr<PolygonPart> diamond_part(Complex& complex, const Fit& fit) {
 }
 
 void promote(Complex& complex, const Segment& s, std::unique_ptr<PolygonPart> part) {
-  // The points are still there: the diamond is extended to them, from the middle outwards.
+  // The diamond is extended to the points that are still kept, from the middle outwards.
   std::vector<std::pair<double, geometry::Point2>> points;
   for (const RawPoint& raw : s.data.raw()) {
     const geometry::Point2 q = geometry::round_to_grid(part->chart.project(complex.setting().world(raw.at)));
@@ -124,7 +123,7 @@ void promote(Complex& complex, const Segment& s, std::unique_ptr<PolygonPart> pa
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [distance2, q] : points)
     geometry::extend_to_point(part->perimeter, q, complex.setting().gap, complex.edge_ids());
-  part->perimeter.take_removed();  // they were on no segment yet
+  part->perimeter.take_removed();  // none of these edges was on a segment yet
   complex.become_polygon(s, std::move(part));
 }
 

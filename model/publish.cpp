@@ -29,12 +29,12 @@ std::optional<geometry::Polygon> polygon_in(Complex& complex, const geometry::Ch
   if (auto result = geometry::Polygon::from_cycles(cycles, complex.edge_ids())) return result;
   if (geometry::restore_sides(cycles, polygon.boundary()))
     if (auto result = geometry::Polygon::from_cycles(cycles, complex.edge_ids())) return result;
-  // What rounding broke is mended, as long as that changes less than (λ/4)².
+  // What rounding has made invalid is mended, as long as that changes an area of less than (λ/4)².
   if (!geometry::mend_cycles(cycles, gap * gap / 16)) return std::nullopt;
   return geometry::Polygon::from_cycles(cycles, complex.edge_ids());
 }
 
-/// Largest distance between two lifts over a box, in grid steps: they are affine, so it is at a corner.
+/// Largest distance between two lifts over a box, in grid steps. Lifts are affine, so it is at a corner.
 double largest_shift(const geometry::Lift& a, const geometry::Lift& b, const geometry::Box2& box) {
   double shift = 0;
   for (const geometry::Point2 p :
@@ -58,7 +58,8 @@ void publish(Complex& complex, const Agenda& agenda, const Segment& s) {
   const Setting& setting = complex.setting();
   const PolygonPart& part = *s.polygon;
   const geometry::Lift lift(part.chart, s.fit.plane());
-  // A shift d of the plane moves an intersection line by up to d / sin μ. In the end every plane is the best.
+  // A shift d of the plane moves an intersection line by up to d / sin μ. When finishing, every plane that
+  // has moved by more than a step is published.
   const double shift = largest_shift(lift, part.published, part.perimeter.box());
   complex.set_stale(s, false);
   if (shift <= (agenda.finishing ? 1 : setting.gap / kPublishPart * setting.sin_angle)) return;
@@ -100,7 +101,7 @@ void refit_if_due(Complex& complex, const Agenda& agenda, const Segment& s) {
 }
 
 bool variance_allowed(const Setting& setting, const PolygonPart& part, const Moments& merged) {
-  // A margin, so that it holds exactly, too.
+  // The margin makes it true in exact arithmetic, too.
   return merged.squared_residual(part.published.plane(part.chart), setting.step) < 0.999 * setting.lambda2;
 }
 

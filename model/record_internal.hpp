@@ -8,7 +8,7 @@
 namespace limpet::model::internal {
 
 ModelRecord to_record(const Engine&);
-/// Precondition: the engine is new. Throws std::invalid_argument, saying what is wrong with the record.
+/// Precondition: the engine is new. Throws std::invalid_argument as Model(const ModelRecord&) does.
 void from_record(Engine&, const ModelRecord&);
 
 }  // namespace limpet::model::internal

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Deleting redundant segments (thesis §2.9): small ones between others, that merge with none of them and find
-// no edge to share. Their data goes where it still fits.
+// Deleting redundant segments (thesis §2.9): small ones among others, which merge with none of these and find
+// no edge to share. Their data goes to segments that it fits.
 #include <algorithm>
 
 #include "merging_internal.hpp"
@@ -12,22 +12,24 @@ namespace {
 
 using geometry::Slot;
 
-/// Is a point of a segment with this normal within λ of the other's surface, facing about the same way? A
-/// thin plate has a back, and the perimeter of a small face of a box lies all on the faces around it; a
-/// sliver across an edge turns by half of the angle there.
+/// Is a point of a segment with this normal within λ of the other polygon, and do both face about the same
+/// way? By distance alone, the back of a thin plate would be redundant, or a small face of a box, whose
+/// perimeter lies on the faces around it. The normal of a sliver across an edge differs by half of the angle
+/// there.
 bool lies_on(const Setting& setting, const Segment& other, const Eigen::Vector3d& p,
              const Eigen::Vector3d& normal) {
   return other.polygon->outward.dot(normal) > kSameWay && lies_near(setting, *other.polygon, p);
 }
 
-/// A patch or a sliver: what is larger, and wider, is a surface of its own however near others are.
+/// Is the polygon only a patch or a sliver? A larger and wider one is a surface of its own, however near
+/// others are.
 bool is_small(const Setting& setting, const PolygonPart& part) {
   const double area = part.perimeter.area() / (setting.gap * setting.gap),
                length = part.box.diagonal().norm() / setting.lambda;
   return area < kYoungArea || area < 1.5 * length;
 }
 
-/// By position: do all vertices of a small segment lie within λ of surfaces of larger ones?
+/// Is a segment redundant by position: is it small, and do all its vertices lie on segments with more points?
 bool lies_on_others(const Complex& complex, const Segment& s) {
   const PolygonPart& part = *s.polygon;
   if (!is_small(complex.setting(), part)) return false;
@@ -45,7 +47,7 @@ bool lies_on_others(const Complex& complex, const Segment& s) {
   return all;
 }
 
-/// The polygon that the data fits best, with how it stands to it.
+/// The polygon, other than `but`, that the data fits best, and the data's standing to it.
 std::pair<const Segment*, Standing> best_for(const Complex& complex, const Segment* but,
                                              const Eigen::Vector3d& p, const Eigen::Vector3d& axis,
                                              const Moments& data, double variance) {
@@ -64,8 +66,8 @@ std::pair<const Segment*, Standing> best_for(const Complex& complex, const Segme
   return best;
 }
 
-/// Deletes the segment; its data goes to a segment that it fits as a whole, else its points go, one by one,
-/// to those that they fit. Returns how many points fit nowhere, and are given up.
+/// Deletes the segment. Its data goes to a polygon that it fits as a whole; else the points that it keeps go,
+/// one by one, to polygons that they fit. Returns how many points are given up.
 std::int64_t delete_segment(Complex& complex, Agenda& agenda, Labels& labels, const Segment& s) {
   complex.dissolve_all_neighbours(s);
   if (s.count() > 0)

@@ -8,11 +8,11 @@
 
 namespace limpet::model::internal {
 
-/// After the two, no neighbours, found no edge to share: notes the smaller one if it is redundant, by ψ and φ
-/// (thesis §2.9).
+/// Called when two segments that are not neighbours have found no edge to share: notes the smaller one on the
+/// agenda if it is redundant by ψ and φ (thesis §2.9).
 void note_if_redundant(const Setting&, Agenda&, const Segment&, const Segment&);
-/// Deletes what was noted and, when finishing, segments without neighbours that lie on others; whether there
-/// were any.
+/// Deletes the segments that were noted and, when finishing, segments without neighbours that lie on others
+/// (rule `position`). Returns whether there were any.
 bool delete_redundant(Complex&, Agenda&, Labels&, Counts&);
 
 }  // namespace limpet::model::internal

@@ -1,8 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Repositioning shared edges (thesis §2.4.4) as one transaction over a segment and its neighbours: all
-// vertices are worked out, every perimeter judges its change, and either all are made or an edge is unshared
-// and all is worked out anew. With none left there is nothing to move, so it ends.
+// Repositioning shared edges (thesis §2.4.4) as one transaction over a segment and its neighbours. The new
+// places of all vertices are computed, and every perimeter judges its edit. Either all are made, or an edge
+// is unshared and everything is computed anew; without shared edges there is nothing to move, so this ends.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -40,7 +40,7 @@ class Repositioning {
   }
 
  private:
-  /// New places of all vertices that move, and the edits; or the edge that cannot follow.
+  /// Computes the new places of all vertices, and the edits; or returns the edge that cannot follow.
   std::optional<EdgeId> work_out() {
     moves_.clear(), transaction_ = {};
     for (const EdgeId edge : edges_)
@@ -75,7 +75,8 @@ class Repositioning {
     return common_line(a.polygon->plane(), complex_.at(table_.across(edge).segment).polygon->plane(), near);
   }
 
-  /// Where the vertex of `a` goes that ends edge `edge`; `other`: the edge on its other side.
+  /// Finds the new place of an end vertex of `edge` on `a`, which is at `from` now; false if it would move by
+  /// λ or more, or there is none. `other`: the edge on the other side of the vertex.
   bool place(const Segment& a, Slot vertex, EdgeId edge, EdgeId other, bool corner,
              const Eigen::Vector3d& from) {
     const auto line = line_of(a, edge, from);
@@ -104,7 +105,7 @@ class Repositioning {
       const EdgeId beside_q = other.node(begin ? q : other.prev(q)).edge;
       const bool corner_p = complex_.is_corner(s_, p), corner_q = complex_.is_corner(n, q);
       const Eigen::Vector3d from_p = s_.polygon->position(p);
-      // Where neither is a corner, both go to the foot of the same point.
+      // Where neither end is a corner, both go to the foot of the same point.
       const Eigen::Vector3d from_q = corner_p || corner_q ? n.polygon->position(q) : from_p;
       if (!place(s_, p, edge, beside_p, corner_p, from_p) || !place(n, q, copy, beside_q, corner_q, from_q))
         return false;
@@ -112,7 +113,7 @@ class Repositioning {
     return true;
   }
 
-  /// A vertex where it will be.
+  /// The position of a vertex after the moves.
   Eigen::Vector3d after(const Segment& a, Slot vertex) const {
     if (const auto of_a = moves_.find(a.slot); of_a != moves_.end())
       if (const auto move = of_a->second.find(vertex); move != of_a->second.end())
@@ -120,7 +121,7 @@ class Repositioning {
     return a.polygon->position(vertex);
   }
 
-  /// Do the copies keep their direction, and overlap?
+  /// After the moves, do the two copies keep their direction, and overlap?
   bool pair_holds(EdgeId edge) {
     const EdgePlace &mine = table_.at(edge), &theirs = table_.across(edge);
     const Segment& n = complex_.at(theirs.segment);
@@ -135,7 +136,8 @@ class Repositioning {
     return std::min(along.dot(p2), along.dot(q2)) - std::max(along.dot(p1), along.dot(q1)) >= least;
   }
 
-  /// Moves of vertices as one edit. A cycle of which all vertices move is put in place anew.
+  /// The moves of a perimeter's vertices as one edit. A cycle of which all vertices move is replaced as a
+  /// whole.
   static geometry::Edit edit_of(const geometry::Polygon& perimeter, const std::map<Slot, Point2>& places) {
     geometry::Edit edit;
     const auto moved = [&](Slot s) {

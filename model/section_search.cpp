@@ -17,7 +17,7 @@ std::pair<double, double> range(const LineChain& chain) {
   return {low->place, high->place};
 }
 
-/// By identity: the ends of a corresponding pair are at one place, that of a's copy.
+/// Gives the ends of b's copies of shared edges the places of a's copies, so that they agree exactly.
 void match_places(const Complex& complex, const Segment& a, const Segment& b, const CommonLine& line,
                   std::vector<LineChain>& chains_b) {
   const LineView view(complex.setting(), *a.polygon, line);
@@ -54,7 +54,8 @@ SectionSearch::SectionSearch(const Complex& complex, const Segment& a, const Seg
   for (const LineChain& chain : chains.of_b) chains_q_.push_back(turned(chain, true, sign_));
   beyond_p_ = beyond_line(chains_p_);
   beyond_q_ = beyond_line(chains_q_);
-  // At the apex of a pyramid opposite faces come within λ of their common line, too, for about as long.
+  // The first shared edge has to be long: at the apex of a pyramid, opposite faces also come within λ of
+  // their line, for about that length.
   const bool neighbours = !complex.edges_between(a, b).empty();
   overshoot_ = reach.section > 1 ? complex.setting().lambda : 0;
   least_length_ =
@@ -80,8 +81,8 @@ std::vector<SectionSearch::Beyond> SectionSearch::beyond_line(const std::vector<
   return result;
 }
 
-/// Does another chain lie beyond the line there? Then the segment goes on, and what looks like a border on L
-/// is the far side of a hole.
+/// Does another chain lie beyond the line there? Then the segment continues beyond it, and the chain on L is
+/// only the far side of a hole.
 bool SectionSearch::goes_on_beyond(double begin, double end) const {
   const double least = kLeastSharedSteps * complex_.setting().step;
   const auto meets = [&](const std::vector<Beyond>& beyond, std::size_t own) {
@@ -102,8 +103,7 @@ bool SectionSearch::form(const LineChain& p, const LineChain& q) {
     return false;
   }
   places_ = {low, high};
-  // Where the ends are in the way of each other, as tiny edges around an apex may be, sections end before
-  // them.
+  // Sections that end a little earlier, too: tiny edges around an apex may be in the way.
   const double trimmed = complex_.setting().lambda / 8;
   if (overshoot_ > 0 && high - low > 4 * trimmed)
     places_.insert(places_.end(), {low + trimmed, high - trimmed});
@@ -115,8 +115,8 @@ bool SectionSearch::form(const LineChain& p, const LineChain& q) {
   return form_between(0, places_.size() - 1);
 }
 
-/// Tries sections from near the one place to near the other, longest first; where none will do, those in each
-/// half.
+/// Tries sections from one of the first few places to one of the last few, longest first; if none is formed,
+/// tries each half.
 bool SectionSearch::form_between(std::size_t low, std::size_t high) {
   constexpr std::size_t kEnds = 4;
   for (std::size_t less = 0; less < 2 * kEnds - 1; ++less)
@@ -142,19 +142,19 @@ Refusal SectionSearch::try_section(double begin, double end) {
   const auto p = section_of(p_, begin, end, overshoot_), q = section_of(q_, begin, end, overshoot_);
   if (!p || !q) return Refusal::inside_shared;
   const Content on_p = content_of(p_, *p), on_q = content_of(q_, *q);
-  // Part of an open edge on both, or shared edges that become one.
+  // It has to replace part of an open edge on both sides, or several shared edges by one.
   const bool gains = (on_p.open >= least && on_q.open >= least) || on_p.shared.size() >= 2;
   if (!gains) return Refusal::nothing_opposite;
   if (!correspond(on_p.shared, on_q.shared)) return Refusal::other_pairs;
   if (!gives_way(complex_.setting(), p_, *p) || !gives_way(complex_.setting(), q_, *q)) return Refusal::bay;
-  // An end that is anchored on one side only would leave the copies apart.
+  // With an end at a shared edge on one side only, the ends of the copies would not coincide.
   if (p->begin_anchored != q->begin_anchored || p->end_anchored != q->end_anchored)
     return Refusal::one_sided_end;
   return user_->form({p_, q_, *p, *q, seen_in(a_, p->begin.place), seen_in(a_, p->end.place),
                       seen_in(b_, p->begin.place), seen_in(b_, p->end.place), !on_p.shared.empty()});
 }
 
-/// Are these the same pairs?
+/// Are the shared edges on P and on Q each other's partners?
 bool SectionSearch::correspond(const std::vector<EdgeId>& on_p, const std::vector<EdgeId>& on_q) const {
   if (on_p.size() != on_q.size()) return false;
   return std::all_of(on_p.begin(), on_p.end(), [&](EdgeId edge) {

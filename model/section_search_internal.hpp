@@ -8,15 +8,16 @@
 
 namespace limpet::model::internal {
 
-/// Sections P and Q that fulfil the conditions of thesis §2.6, but for those on the changed perimeters.
+/// Sections P and Q that fulfil the conditions of thesis §2.6; the changed perimeters have not been judged
+/// yet.
 struct SectionPair {
   const Side &side_p, &side_q;
   const Section &p, &q;
-  geometry::Point2 begin_p, end_p, begin_q, end_q;  ///< of L in the two charts
-  bool joins = false;                               ///< edges that the two share become part of L
+  geometry::Point2 begin_p, end_p, begin_q, end_q;  ///< ends of L in the two charts
+  bool joins = false;                               ///< L replaces edges that the two share already
 };
 
-/// All chains of two segments along their line, and how the two meet there.
+/// All chains of two segments along their line, and their concavity there.
 struct PairOfChains {
   std::vector<LineChain> of_a, of_b;
   Concavity concavity = Concavity::undecided;
@@ -25,28 +26,28 @@ struct PairOfChains {
 std::optional<PairOfChains> chains_of_both(const Complex&, const Segment& a, const Segment& b,
                                            const CommonLine&, const LineWindow&, const SharingReach&);
 
-/// What is done with the pairs of sections that a search finds.
+/// Receives the pairs of sections that a search finds.
 class SectionUser {
  public:
   virtual ~SectionUser() = default;
-  /// Refusal::none ends the search.
+  /// Forms a shared edge from the pair. Refusal::none ends the search.
   virtual Refusal form(const SectionPair&) = 0;
-  /// Between these places of the line nothing could be formed from sections on the two sides.
+  /// Told for each stretch of the line, between two places, from which nothing could be formed.
   virtual void refused(const Side&, const Side&, double /*begin*/, double /*end*/, Refusal) {}
 };
 
-/// Looks for sections on chains of two segments along their line, the longest first.
+/// Searches the chains of two segments along their line for a pair of sections, the longest first.
 class SectionSearch {
  public:
   /// Precondition: the concavity is decided.
   SectionSearch(const Complex&, const Segment& a, const Segment& b, const CommonLine&, const SharingReach&,
                 const PairOfChains&);
 
-  /// Whether one was formed.
+  /// Returns whether an edge was formed.
   bool run(SectionUser&);
 
  private:
-  /// A stretch of a chain that lies beyond the line.
+  /// A stretch of the line beside which an edge of a chain lies beyond it, if only in part.
   struct Beyond {
     double begin, end;
     std::size_t chain;
@@ -64,12 +65,12 @@ class SectionSearch {
   const Segment &a_, &b_;
   const CommonLine& line_;
   double sign_;
-  double least_length_;  ///< of L, scan's unit
-  double overshoot_;     ///< of sections between ends of shared edges
+  double least_length_;  ///< least length of L, scan's unit
+  double overshoot_;     ///< by which sections between ends of shared edges may overshoot them, scan's unit
   std::vector<LineChain> chains_p_, chains_q_;
   std::vector<Beyond> beyond_p_, beyond_q_;
   SectionUser* user_ = nullptr;
-  std::size_t p_at_ = 0, q_at_ = 0;  ///< the chains in hand
+  std::size_t p_at_ = 0, q_at_ = 0;  ///< indices of the chains being tried
   Side p_, q_;
   std::vector<double> places_;
 };

@@ -15,7 +15,8 @@ using geometry::EdgeId;
 using geometry::Point2;
 using geometry::Slot;
 
-/// The point at this place between two stations, or the one of them that it is hardly beside.
+/// The point at this place between two stations; if it is within kSameSteps of one of them, that station's
+/// vertex.
 Station between(const Station& a, const Station& b, double place) {
   const double fraction = (place - a.place) / (b.place - a.place);
   Station s{place, a.offset + fraction * (b.offset - a.offset),
@@ -26,7 +27,8 @@ Station between(const Station& a, const Station& b, double place) {
   return s;
 }
 
-/// From one end of a shared edge to another, though what lies between may overshoot both a little.
+/// The section from an end of a shared edge to another such end; what lies between may overshoot both by a
+/// little.
 std::optional<Section> between_anchors(const Side& side, double begin, double end, double overshoot) {
   std::optional<std::size_t> first, last;
   for (std::size_t i = 0; i < side.size(); ++i) {
@@ -91,7 +93,8 @@ Content content_of(const Side& side, const Section& section) {
 
 bool gives_way(const Setting& setting, const Side& side, const Section& section) {
   const double lambda = setting.lambda, near = lambda / 4;
-  // Of the bay or spur that P is in.
+  // Signed area (> 0: a bay) of the bay or spur that the walk along the section is in, and its extreme
+  // offsets.
   double area = 0, highest = section.begin.offset, lowest = section.begin.offset;
   std::size_t points = 0;
   Station last = section.begin;

@@ -13,31 +13,31 @@ namespace limpet::model::internal {
 struct RawPoint {
   GridPoint at{};
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-  double variance = 0;       ///< about its plane: noise, grid and input rounding together
-  int returned = 0;          ///< how often it came out of a dissolved segment
-  std::int64_t since = -1;   ///< how many sensor points had come when it came; not yet known: −1
-  std::int64_t serial = -1;  ///< place in the labels, when they are kept
+  double variance = 0;       ///< about its plane, from noise, grid and input rounding; scan's unit squared
+  int returned = 0;          ///< how often it came back from a segment dissolved by rule `dissolve`
+  std::int64_t since = -1;   ///< number of sensor points that had come when it came; −1: not set yet
+  std::int64_t serial = -1;  ///< place in the labels; −1: none
 };
 
-/// What is kept of the sensor points behind a segment (the thesis's model segment data, §2.2), and, while the
-/// segment is young, the points themselves.
+/// Sums over the sensor points of a segment (the thesis's model segment data, §2.2), and, while the segment
+/// is young, the points themselves.
 ///
-/// Invariant: a young segment has all its points, and its sums are theirs.
+/// Invariant: a young segment keeps all its points, and its sums are over these.
 class SegmentData {
  public:
-  /// Sums over the points. Those of two sets of points are the sum of both.
+  /// Sums over the points. The sums of two sets of points add up to those of their union.
   struct Sums {
     Moments moments;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-    double variance = 0;  ///< of the points about their plane
-    double since = 0;     ///< of how many points had come when they came; complete while young
+    double variance = 0;  ///< Σ RawPoint::variance
+    double since = 0;     ///< Σ RawPoint::since; not added to once the segment is mature
 
     double count() const { return static_cast<double>(moments.count()); }
     Sums& operator+=(const Sums& other);
   };
 
   SegmentData() = default;
-  /// Of a single point, which joins now.
+  /// The data of a single point, which joins now.
   SegmentData(const RawPoint&, std::int64_t now);
 
   const Sums& sums() const { return sums_; }
@@ -49,17 +49,17 @@ class SegmentData {
   /// All the points while young, else none.
   const std::vector<RawPoint>& raw() const { return raw_; }
   bool young() const { return !raw_.empty(); }
-  /// How many sensor points had come when this last grew.
+  /// The number of sensor points that had come when a point or segment last joined.
   std::int64_t last_joined() const { return last_joined_; }
 
-  /// The only way two become one: the other's points are here as well from now on, one by one if this
-  /// `stays_young` (precondition: both are).
+  /// Adds the points of the other data; keeps the points themselves if this `stays_young` (precondition: both
+  /// are young), else none.
   void absorb(const SegmentData& other, bool stays_young, std::int64_t now);
-  /// A point joins, and is kept while this is young.
+  /// A point joins. It is kept if this is young.
   void absorb(const RawPoint&, std::int64_t now);
-  /// Ends youth: the sums stay, the points go.
+  /// Makes this mature: keeps the sums, and drops the points.
   void forget_points() { raw_ = std::vector<RawPoint>(); }  // `= {}` would keep the memory
-  /// Points that have come out of kMaxReturns dissolved segments may do so again.
+  /// Sets RawPoint::returned back to 0.
   void allow_returns();
 
  private:

@@ -17,19 +17,19 @@
 
 namespace limpet::model::internal {
 
-/// What a planar polygon segment has beyond a point segment. Its shape in the world is the perimeter's,
-/// lifted from the chart onto the published plane.
+/// What a planar polygon segment has in addition to a point segment. In the world, it is the perimeter lifted
+/// from the chart onto the published plane.
 struct PolygonPart {
   geometry::Chart chart;
   geometry::Polygon perimeter;
-  geometry::Lift published;                           ///< plane that perimeters are lifted to
-  Eigen::Vector3d outward = Eigen::Vector3d::Zero();  ///< normal of the published plane
-  geometry::Plane initial;                            ///< thesis §2.4.1
+  geometry::Lift published;                           ///< published plane, to which the perimeter is lifted
+  Eigen::Vector3d outward = Eigen::Vector3d::Zero();  ///< unit normal of the published plane
+  geometry::Plane initial;                            ///< initial plane of thesis §2.4.1
   Box3 box;                                           ///< of the perimeter in the world
-  HeightMap heights;                                  ///< of its points (rule `relief`); none while young
-  bool stale = false;                    ///< the fit has moved on, but its plane could not be published
-  double counted_area = 0;               ///< what of its area is in Complex::modelled_area(), λ²
-  std::uint64_t shape = 0;               ///< counts changes of the description
+  HeightMap heights;                                  ///< of its points (rule `relief`); empty while young
+  bool stale = false;                    ///< the plane of the fit has moved, but could not be published
+  double counted_area = 0;               ///< the part of Complex::modelled_area() that is its own, λ²
+  std::uint64_t shape = 0;               ///< version number of the description
   std::vector<geometry::EdgeId> shared;  ///< its edges that are shared with neighbours, ascending
 
   /// A chart point, or a vertex, in the world.
@@ -44,25 +44,25 @@ struct alignas(64) Segment {
   SegmentId id;
   std::uint32_t slot = 0;
   SegmentData data;
-  std::int64_t next_fit = 0;  ///< count at which the fit is computed anew
-  Box3 indexed;               ///< as it is in the spatial index
+  std::int64_t next_fit = 0;  ///< number of points at which the plane is fitted anew
+  Box3 indexed;               ///< its box in the spatial index; empty: it is in none
   bool indexed_as_polygon = false;
 
   std::int64_t count() const { return data.count(); }
   bool young() const { return data.young(); }
-  /// Known beforehand (thesis §4.3): represents no points.
+  /// An initial segment (thesis §4.3), known beforehand, which represents no points.
   bool initial() const { return polygon && count() == 0; }
   bool mature_polygon() const { return polygon && !young() && !initial(); }
 };
 
-/// Calls f(slot) for every edge of a perimeter, in the order of memory.
+/// Calls f(slot) for every edge of a perimeter, in the order of slots.
 template <class F>
 void for_each_edge(const geometry::Polygon& perimeter, F&& f) {
   for (std::uint32_t i = 0; i < perimeter.slot_count(); ++i)
     if (perimeter.alive(geometry::Slot{i})) f(geometry::Slot{i});
 }
 
-/// Edges with the slots they were put in. They may have gone since.
+/// Edges with the slots they were put in. Some may have been removed since.
 using PlacedEdges = std::vector<std::pair<geometry::Slot, geometry::EdgeId>>;
 /// Is the edge still where it was put?
 inline bool still_there(const geometry::Polygon& perimeter,
@@ -70,12 +70,12 @@ inline bool still_there(const geometry::Polygon& perimeter,
   return perimeter.alive(placed.first) && perimeter.node(placed.first).edge == placed.second;
 }
 
-/// World boxes.
+/// Boxes in the world.
 Box3 box_around(const Eigen::Vector3d& p, double reach);
 Box3 perimeter_box(const PolygonPart&);
 
-/// Does an outward normal face away from where the sensing axes point? With a margin, so that it holds
-/// exactly, too.
+/// Does an outward normal point against the sum of the sensing axes? The margin makes it true in exact
+/// arithmetic, too.
 inline bool faces_outside(const Eigen::Vector3d& normal, const Eigen::Vector3d& axis_sum) {
   return normal.dot(axis_sum) < -1e-6;
 }

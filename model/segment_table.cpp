@@ -4,8 +4,8 @@
 namespace limpet::model::internal {
 
 SegmentTable::SegmentTable(const Setting& setting)
-    : polygons_(8 * setting.lambda),    // the boxes of the smallest are so wide
-      points_(2.6 * setting.lambda) {}  // theirs 2.5 λ
+    : polygons_(8 * setting.lambda),    // boxes are 4 λ and 1.2 times the polygon wide (reindex())
+      points_(2.6 * setting.lambda) {}  // boxes are 2.5 λ wide
 
 const Segment* SegmentTable::find(SegmentId id) const {
   const auto entry = slot_of_.find(id.value);
@@ -49,8 +49,7 @@ void SegmentTable::rename(Segment& s) {
 }
 
 void SegmentTable::reindex(const Setting& setting, Segment& s) {
-  // Boxes are larger by λ than what they hold, and by some slack more, so that most growth leaves the index
-  // alone.
+  // Boxes reach λ beyond their segments, and some slack more, so that most growth leaves the index alone.
   const double reach = setting.lambda;
   const Box3 tight = s.polygon ? s.polygon->box : box_around(s.fit.centroid, 0);
   const Box3 needed(tight.min() - Eigen::Vector3d::Constant(reach),

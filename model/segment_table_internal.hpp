@@ -10,17 +10,17 @@
 
 namespace limpet::model::internal {
 
-/// All segments: by slot, by identity, and by where they are.
+/// All segments: by slot, by identity, and by place.
 ///
-/// Invariant: identities ascend and are never used again; a segment is in the spatial index of its kind, with
-/// a box that holds what it may meet.
+/// Invariant: identities ascend and are never reused; a segment that has been reindexed is in the spatial
+/// index of its kind, with a box that reaches at least λ beyond it.
 class SegmentTable {
  public:
   explicit SegmentTable(const Setting&);
 
   std::uint32_t slot_count() const { return static_cast<std::uint32_t>(segments_.size()); }
   std::size_t size() const { return slot_of_.size(); }
-  /// Nothing when the slot is free.
+  /// Null when the slot is free.
   const Segment* in_slot(std::uint32_t slot) const { return segments_[slot].get(); }
   Segment* in_slot(std::uint32_t slot) { return segments_[slot].get(); }
   const Segment* find(SegmentId) const;
@@ -29,16 +29,16 @@ class SegmentTable {
     for (const auto& s : segments_)
       if (s) f(*s);
   }
-  /// Of polygon and of point segments, by boxes fattened by λ and more.
+  /// Spatial indices of polygon and of point segments, by their boxes enlarged by λ and some slack.
   const SpatialIndex& polygons() const { return polygons_; }
   const SpatialIndex& points() const { return points_; }
 
-  /// A new one, with an identity and a slot of its own; not yet in an index.
+  /// Makes an empty segment with a new identity, in a free slot. It is in no index yet.
   Segment& create();
   void erase(Segment&);
   /// Gives it a new identity.
   void rename(Segment&);
-  /// Puts it into the index where it is now.
+  /// Brings the segment's box in the spatial index up to date.
   void reindex(const Setting&, Segment&);
 
  private:
@@ -49,7 +49,7 @@ class SegmentTable {
 
   std::uint64_t next_id_ = 1;
   std::vector<std::unique_ptr<Segment>> segments_;  ///< by slot
-  std::vector<std::uint32_t> free_;                 ///< slots, the next one to be taken last
+  std::vector<std::uint32_t> free_;                 ///< free slots; the last one is taken next
   std::unordered_map<std::uint64_t, std::uint32_t> slot_of_;
   SpatialIndex polygons_, points_;
 };

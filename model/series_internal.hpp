@@ -1,10 +1,11 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
-/// Functions by their series, not by the machine's library: the same bits everywhere.
+/// Functions computed from their series instead of the standard library, so that every machine gives the same
+/// bits.
 namespace limpet::model::internal {
 
-/// Precondition: |x| ≤ 2.
+/// Cosine of an angle in radians. Precondition: |x| ≤ 2.
 inline double cosine(double x) {
   double term = 1, sum = 1;
   for (int k = 1; k < 20; ++k) {
@@ -14,7 +15,7 @@ inline double cosine(double x) {
   return sum;
 }
 
-/// To base e. Precondition: x > 0.
+/// Natural logarithm. Precondition: x > 0.
 inline double natural_log(double x) {
   constexpr double kE = 2.718281828459045;
   double whole = 0;

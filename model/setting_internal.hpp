@@ -9,7 +9,7 @@
 
 namespace limpet::model::internal {
 
-/// What a model is built to, and the quantities that follow from it. The same for the model's whole life.
+/// The parameters of a model and the quantities that follow from them. Constant for the life of the model.
 struct Setting {
   /// Throws std::invalid_argument when a parameter is out of range.
   explicit Setting(const Parameters&);
@@ -18,7 +18,7 @@ struct Setting {
   double lambda = 0;                    ///< λ, scan's unit
   double lambda2 = 0;                   ///< λ²
   double step = 0;                      ///< grid step, scan's unit
-  double rounding = 0;                  ///< variance of grid and input rounding together
+  double rounding = 0;                  ///< variance of grid and input rounding together, scan's unit squared
   double gap = 0;                       ///< λ in grid steps
   double sin_angle = 0, cos_angle = 0;  ///< of μ
 
@@ -27,14 +27,14 @@ struct Setting {
     return step *
            Eigen::Vector3d(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
   }
-  /// Variance of a point about its plane, sensed from `range`.
+  /// Variance about its plane of a point sensed from a distance of `range`; scan's unit (squared).
   double variance_at(double range) const {
     const Parameters& p = parameters;
     const double sigma = p.noise + (p.noise_per_range + p.noise_per_range2 * range) * range;
     return sigma * sigma + rounding;
   }
   bool noise_grows() const { return parameters.noise_per_range > 0 || parameters.noise_per_range2 > 0; }
-  /// Is the relief of surfaces kept? Only where points may lie farther off their plane than the noise says.
+  /// Are height maps kept? Only where points may lie farther off their plane than the noise explains.
   bool relief_kept() const { return rules().relief && parameters.tolerance > 0; }
 };
 

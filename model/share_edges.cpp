@@ -14,15 +14,15 @@ namespace {
 
 using geometry::EdgeId;
 
-/// What came of a look at two segments.
+/// The result of a look at two segments.
 enum class Formed {
-  not_near,  ///< one has no edge near the line: nothing was attempted
+  not_near,  ///< one of them has no edge near the line: nothing was attempted
   none,
   in_order,
-  disordered  ///< and undone
+  disordered  ///< formed, but undone, because it broke an ordering
 };
 
-/// Puts L into both perimeters, or into none.
+/// Puts L into both perimeters, as a shared edge, or into none.
 class PairFormer : public SectionUser {
  public:
   PairFormer(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b)
@@ -44,8 +44,8 @@ class PairFormer : public SectionUser {
   Formed formed() const { return formed_; }
 
  private:
-  /// An edge that breaks an order goes again, and the two form no other before the next set. (The thesis
-  /// dissolves all that the two share, §2.6; but the order held before.)
+  /// Unshares a new edge that breaks an ordering; the two segments form no other before the next set. (The
+  /// thesis dissolves all edges that the two share, §2.6; but without the new one the orderings held.)
   bool keeps_order(EdgeId edge) {
     if (!is_disordered(complex_, a_) && !is_disordered(complex_, b_)) return true;
     agenda_.note_disorder(a_.id, b_.id);
@@ -59,7 +59,7 @@ class PairFormer : public SectionUser {
   Formed formed_ = Formed::none;
 };
 
-/// Forms one pair of shared edges, if one can be: the longest.
+/// Forms one pair of shared edges, the first that SectionSearch finds, if there is one.
 Formed share_once(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b,
                   const CommonLine& line, const LineWindow& window) {
   const auto chains = chains_of_both(complex, a, b, line, window, agenda.sharing);
@@ -74,7 +74,8 @@ bool may_share(const Agenda& agenda, const Segment& s) {
   return s.polygon && (agenda.finishing || !s.young());
 }
 
-/// The pieces of a window where the line comes near places where s has changed, and some way on.
+/// The parts of a window where the line comes near the changed places, extended by kSectionReachOn at both
+/// ends.
 std::vector<LineWindow> changed_windows(double lambda, const SharingReach& sharing, const CommonLine& line,
                                         const LineWindow& window, const DirtyRegion& places) {
   const double on = kSectionReachOn * lambda;
@@ -118,13 +119,13 @@ bool share_pair(Complex& complex, Agenda& agenda, const Segment& a, const Segmen
   return count > 0;
 }
 
-/// Is it time to look at a polygon that has changed? Where perimeters still grow, most looks are in vain, so
-/// it is looked at again when it has a thirty-second part more points.
+/// Is it time to look at a changed polygon again? Most looks at a perimeter that still grows are in vain, so
+/// the next one waits until the polygon has one part in kGrowthPart more points.
 bool is_due(const Agenda& agenda, const Segment& s) {
   return may_share(agenda, s) && (agenda.finishing || s.count() >= agenda.polygon(s.slot).next_share);
 }
 
-/// Which pairs are to be looked at, and where, because of what has changed.
+/// Notes on the agenda which pairs are to be looked at because of what has changed, and where.
 void note_looks_due(const Complex& complex, Agenda& agenda) {
   const Turn turn = polygons_of(complex, agenda.take_to_share(),
                                 [&](const Segment& s) { return !agenda.polygon(s.slot).unshared.empty(); });

@@ -6,8 +6,8 @@
 namespace limpet::model {
 namespace {
 
-constexpr double kFactor = 4;  ///< of the cells' widths from one level to the next
-constexpr double kSpan = 2;    ///< cells that a box may be wide
+constexpr double kFactor = 4;  ///< ratio of the cells' widths from one level to the next
+constexpr double kSpan = 2;    ///< most cells that a box is wide, on its level
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void SpatialIndex::Blocks::remove(const Index& cell) {
   places_[place_of(block_of(cell))].cells &= ~bit_of(cell);
 }
 
-/// Forgets the blocks that have become empty, and takes a larger table if that was not enough.
+/// Forgets the blocks that have become empty, and enlarges the table if that does not free enough places.
 void SpatialIndex::Blocks::make_room() {
   std::vector<Block> kept;
   for (const Block& block : places_)
@@ -49,7 +49,7 @@ SpatialIndex::Cell& SpatialIndex::Grid::find_or_make(const Index& at) {
   return cells_[places_[i].cell - 1];
 }
 
-/// Forgets the cells that have become empty, and takes a larger table if that was not enough.
+/// Forgets the cells that have become empty, and enlarges the table if that does not free enough places.
 void SpatialIndex::Grid::make_room() {
   std::vector<Cell> cells;
   std::vector<Place> kept;

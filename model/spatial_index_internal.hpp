@@ -14,14 +14,15 @@ namespace limpet::model {
 
 using Box3 = Eigen::AlignedBox3d;
 
-/// Finds the boxes of segments near a place, by their storage slot.
+/// A spatial index of boxes, each named by a slot.
 ///
-/// A hierarchy of hashed grids: a box is kept on the finest level on which it is at most two cells wide, in
-/// all cells it touches; a small query looks at one cell a level, or few. Cells are four times as wide from
-/// one level to the next. Queries and changes cost less than an R-tree's, whose boxes overlap much here.
+/// A hierarchy of hashed grids, whose cells are four times as wide from one level to the next. A box is kept
+/// in all the cells it touches on the finest level on which it is at most two cells wide. A small query looks
+/// at one cell per level, or a few. Queries and changes are cheaper than in an R-tree, whose boxes would
+/// overlap much here.
 class SpatialIndex {
  public:
-  /// `smallest` > 0: the width that most boxes do not exceed by much.
+  /// `smallest` > 0: width of the finest cells; most boxes should be at most about as wide.
   explicit SpatialIndex(double smallest = 1) : smallest_(smallest) {}
 
   /// Precondition: finite, within 2⁶² smallest widths of the origin.
@@ -33,22 +34,23 @@ class SpatialIndex {
   /// Slots whose boxes hold `point`.
   void query(const Eigen::Vector3d& point, std::vector<std::uint32_t>& found) const;
   std::size_t size() const;
-  /// A box around all boxes there are, and maybe some that are gone; empty when none has been inserted.
+  /// A box around all boxes, including removed ones; empty when none has been inserted.
   Box3 bounds() const;
 
-  /// Calls f(slot) for the boxes that meet `box`, each once, in no particular order, until f returns true;
-  /// whether it did. `box` may be infinite. Allocates nothing.
+  /// Calls f(slot) for the boxes that meet `box`, each once, in no particular order, until f returns true.
+  /// Returns whether it did. `box` may be infinite. Allocates nothing.
   template <class F>
   bool any_of(const Box3& box, F&& f) const {
     return std::any_of(levels_.begin(), levels_.end(),
                        [&](const Grid& grid) { return grid.size() > 0 && grid.any_of_clipped(box, f); });
   }
 
-  /// Walks along the ray from + t·axis, 0 ≤ t ≤ range, in pieces, level by level: calls f(slot, begin, end)
-  /// for the boxes that come within `slack` of the piece from t = begin to end, and maybe others near it. The
-  /// pieces of a level make up all t. f returns the range that is still of interest, at most the one before.
-  /// Where there are more pieces than boxes all boxes are named. Allocates nothing. Precondition: `axis` is a
-  /// unit vector; `slack` covers the rounding of coordinates along the ray.
+  /// Walks along the ray from + t·axis, 0 ≤ t ≤ range, level by level, in pieces about one cell long: calls
+  /// f(slot, begin, end) for the boxes within `slack` of the piece from t = begin to end, and perhaps for
+  /// others near it. The pieces of a level cover all t. f returns the range that is still of interest, at
+  /// most the previous one. On a level where there would be more pieces than cells, the ray is one piece.
+  /// Allocates nothing. Precondition: `axis` is a unit vector; `slack` covers the rounding of coordinates
+  /// along the ray.
   template <class F>
   void walk(const Eigen::Vector3d& from, const Eigen::Vector3d& axis, double range, double slack,
             F&& f) const {
@@ -60,7 +62,7 @@ class SpatialIndex {
   struct Ray {
     Eigen::Vector3d from, axis;
     Eigen::Vector3d at(double t) const { return from + t * axis; }
-    /// Where it is within the box, as [first, second]; first > second: nowhere.
+    /// The interval of t in which the ray is inside the box; first > second: it is nowhere inside.
     std::pair<double, double> within(const Box3&) const;
   };
   struct Entry {
@@ -111,22 +113,22 @@ class SpatialIndex {
     return key;
   }
 
-  /// Which cells of a grid are in use, in blocks of 4 × 4 × 4 of them: where most are not, whoever looks
-  /// around goes from one in use to the next.
+  /// The set of cells of a grid that are in use, as bits of blocks of 4 × 4 × 4 cells, so that a query skips
+  /// large empty regions.
   class Blocks {
    public:
     Blocks() : places_(16) {}
     void add(const Index& cell);
     void remove(const Index& cell);
-    /// Calls f(cell) for those in use in the range until it returns true; whether it did.
+    /// Calls f(cell) for the cells in use in the range until f returns true. Returns whether it did.
     template <class F>
     bool any_of(const Range& range, F&& f) const;
 
    private:
     struct Block {
       Index at{};
-      std::uint64_t cells = 0;  ///< one bit each
-      bool taken = false;       ///< the place in the table is
+      std::uint64_t cells = 0;  ///< one bit for each cell, set if it is in use
+      bool taken = false;       ///< is this place in the table taken?
     };
     static Index block_of(const Index& cell) { return {cell[0] >> 2, cell[1] >> 2, cell[2] >> 2}; }
     static std::uint64_t bit_of(const Index& cell) {
@@ -142,12 +144,12 @@ class SpatialIndex {
     template <class F>
     static bool any_of(const Block&, const Range&, F&& f);
 
-    std::vector<Block> places_;  ///< a power of two of them, at most half of them taken
+    std::vector<Block> places_;  ///< a power of two, at most half of them taken
     std::size_t taken_ = 0;
   };
 
-  /// A grid that holds only cells in use, in an open-addressed table. Two cells whose keys happen to be the
-  /// same share a place there, which costs time and nothing else.
+  /// A grid that stores its cells in a hash table with open addressing. Cells with the same key share an
+  /// entry, which costs time only.
   class Grid {
    public:
     explicit Grid(double width) : width_(width), per_width_(1 / width), places_(16) {}
@@ -185,7 +187,7 @@ class SpatialIndex {
       return place.cell == 0 ? nullptr : &cells_[place.cell - 1];
     }
     Cell& find_or_make(const Index&);
-    /// Where a key is, or would be put.
+    /// The place of a key in the table, or the free place where it would be put.
     std::size_t place_of(std::uint64_t key) const {
       const std::size_t mask = places_.size() - 1;
       std::size_t i = key & mask;
@@ -195,11 +197,11 @@ class SpatialIndex {
     void make_room();
 
     double width_, per_width_;
-    std::vector<Place> places_;  ///< a power of two of them, at most half of them taken
+    std::vector<Place> places_;  ///< a power of two, at most half of them taken
     std::vector<Cell> cells_;
     Blocks in_use_;
     std::size_t size_ = 0;
-    Box3 bounds_;  ///< of all boxes there have been
+    Box3 bounds_;  ///< of all boxes ever inserted
   };
 
   std::size_t level_of(const Box3&) const;
@@ -211,7 +213,8 @@ class SpatialIndex {
 template <class F>
 bool SpatialIndex::Grid::any_of(const Box3& box, F&& f) const {
   const Range range = range_of(box);
-  // An entry is in several cells; it is told where its first corner within the box lies.
+  // An entry may be in several cells; it is reported only in the cell of the lowest corner of its part within
+  // the box.
   if (range.count() <= static_cast<double>(cells_.size()))
     return range.any_of([&](const Index& at) {
       const Cell* cell = find(at);
@@ -270,7 +273,7 @@ bool SpatialIndex::Blocks::any_of(const Block& block, const Range& range, F&& f)
     const std::int64_t from = std::max(range.low[i] - first, std::int64_t{0}),
                        to = std::min(range.high[i] - first, std::int64_t{3});
     if (from > to) return false;
-    // A bit for each of the layers from–to along this axis; their products are the cells.
+    // A bit for each layer from–to along this axis; the product over the axes has a bit for each cell.
     const std::uint64_t layers = (kAll[i] << (kStride[i] * static_cast<std::uint64_t>(from))) &
                                  (kAll[i] >> (kStride[i] * static_cast<std::uint64_t>(3 - to)));
     in_range *= layers;

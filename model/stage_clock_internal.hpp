@@ -8,7 +8,7 @@
 
 namespace limpet::model::internal {
 
-/// Books time on stages once it has been asked to; before that it costs a branch.
+/// Adds up the time of each stage, once measure() has been called; before that, each call costs one branch.
 class StageClock {
  public:
   void measure() { times_.emplace(); }
@@ -17,7 +17,7 @@ class StageClock {
   void start() {
     if (times_) last_ = Clock::now();
   }
-  /// The time since start() or the last lap was this stage's.
+  /// Adds the time since start(), or since the last lap, to this stage.
   void lap(double StageTimes::*stage) {
     if (!times_) return;
     const auto now = Clock::now();

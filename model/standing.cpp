@@ -12,7 +12,7 @@
 namespace limpet::model::internal {
 namespace {
 
-/// residual_limit() by noise alone.
+/// residual_limit() from the noise alone, without the tolerance.
 double noise_limit(const Segment& polygon, const Eigen::Vector3d& p, double variance) {
   return 9 * (variance + polygon.fit.height_variance(p, polygon.data.variance()));
 }
@@ -22,7 +22,7 @@ double noise_limit(const Segment& polygon, const Eigen::Vector3d& p, double vari
 double residual_limit(const Setting& setting, const Segment& polygon, const Eigen::Vector3d& p,
                       double variance) {
   const double by_noise = noise_limit(polygon, p, variance);
-  // A young polygon's plane is not known well enough to tell what lies off it.
+  // The plane of a young polygon is not known well enough to apply the tolerance.
   if (setting.rules().relief && polygon.young()) return by_noise;
   return std::max(by_noise, setting.parameters.tolerance * setting.parameters.tolerance);
 }

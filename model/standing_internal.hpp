@@ -6,19 +6,20 @@
 
 namespace limpet::model::internal {
 
-/// How a point stands to a polygon segment; `distance2` is from the polygon, squared.
+/// How data centred at a point relates to a polygon segment.
 struct Standing {
-  bool near = false;  ///< nearer than λ, on the right side, and fitting
-  double distance2 = 0;
-  bool outside = false;           ///< of the perimeter
-  double perimeter_distance = 0;  ///< grid steps, when outside
+  bool near = false;              ///< within λ, sensed from the right side, and fitting the plane
+  double distance2 = 0;           ///< squared distance from the polygon, scan's unit
+  bool outside = false;           ///< outside the perimeter, in the chart
+  double perimeter_distance = 0;  ///< in the chart, grid steps; when outside
   geometry::Point2 chart_point;
 };
-/// Of data centred at p, with the sum of its sensing axes, its mean squared residual about the segment's
-/// plane, and the mean variance of its points.
+/// The standing of data centred at p (world), given the sum of its sensing axes, its mean squared residual
+/// about the segment's plane, and the mean variance of its points.
 Standing standing(const Setting&, const Segment& polygon, const Eigen::Vector3d& p,
                   const Eigen::Vector3d& axis, double squared_residual, double variance);
-/// Largest squared residual that data of this variance centred at p may have about the segment's plane.
+/// The largest mean squared residual about the segment's plane with which data of this variance, centred at
+/// p, fits.
 double residual_limit(const Setting&, const Segment& polygon, const Eigen::Vector3d& p, double variance);
 
 }  // namespace limpet::model::internal

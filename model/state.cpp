@@ -1,8 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// All of a model as bytes, so that what follows is the same to the bit. What is dead is not stored:
-// identities are never used again, so nothing will ask for it. Indices are made anew: no result depends on
-// their order.
+// A whole model as bytes, so that what follows is the same to the bit. Entries about segments that are gone
+// are not stored: identities are never reused, so nothing will ask for them. Indices are rebuilt, since no
+// result depends on their order.
 #include <algorithm>
 
 #include <limpet/geometry/predicates.hpp>
@@ -14,7 +14,7 @@
 namespace limpet::model::internal {
 namespace {
 
-constexpr std::string_view kMagic = "limpet model state 2 ";  ///< then the arithmetic and a line's end
+constexpr std::string_view kMagic = "limpet model state 2 ";  ///< followed by the arithmetic and a newline
 constexpr std::size_t kDigestBytes = 8;
 
 std::string head() { return std::string(kMagic) + geometry::arithmetic() + "\n"; }
@@ -27,7 +27,7 @@ std::uint64_t digest_of(std::string_view bytes) {
 
 using Age = std::pair<std::int64_t, SegmentId>;
 
-/// Only point segments expire, and a polygon never becomes one.
+/// The entries of point segments: only these expire, and no polygon becomes one again.
 std::deque<Age> ages_that_matter(const Engine& e) {
   std::deque<Age> ages;
   const auto& all = Storage::by_age(e.agenda);
@@ -46,7 +46,7 @@ auto refusals_that_matter(const Engine& e) {
   return refused;
 }
 
-/// The worklists of the segments in their slots, and none of the free ones.
+/// The worklists of the segments, slot by slot; free slots have none.
 template <class Archive, class AnyAgenda>
 void describe_dues(Archive& archive, const Complex& complex, AnyAgenda& agenda) {
   for (std::uint32_t slot = 0; slot < complex.segments().slot_count(); ++slot) {

@@ -1,6 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Is an engine that was read from bytes one to go on from? Perimeters have been judged before
+// Checks that an engine read from bytes can be used safely. Its perimeters have been judged already
 // (geometry/polygon_state.cpp).
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,8 @@ void require_lists(const Engine& e) {
   require(e.labels.kept() || e.labels.size() == 0, "has labels that are not kept");
 }
 
-/// Sums that can be added to, and divided, without overflow.
+/// Requires sums that further points can be added to, and that the covariance can be computed from, without
+/// overflow.
 void require_moments(const Moments& moments) {
   const MomentsRecord m = moments.record();
   const auto sized = [](Int128 x) { return x < 0 ? -x : x; };
@@ -56,7 +57,7 @@ void require_moments(const Moments& moments) {
   require(m.count >= 0, "has a segment of fewer than no points");
   for (const Int128 sum : m.sum) {
     require(sized(sum) <= Int128{m.count} * kMaxSteps, "has sums that no points have");
-    // What the mean is multiplied by.
+    // Moments::covariance() multiplies sums by the rounded mean.
     const auto x = static_cast<long double>(sum);
     require(m.count == 0 || x * x / static_cast<long double>(m.count) <= static_cast<long double>(largest),
             "has a segment of too many points");

@@ -9,18 +9,18 @@
 
 namespace limpet::model::internal {
 
-/// All that lasts between two calls, as bytes: see Model::state().
+/// Everything that outlasts a call, as bytes: see Model::state().
 std::string to_state(const Engine&);
 
 /// What to_state() wrote.
 class StoredState {
  public:
-  /// `bytes` have to live as long. Throws std::invalid_argument when they are damaged, or of another version
-  /// or arithmetic.
+  /// `bytes` must outlive this. Throws std::invalid_argument when they are damaged, or of another version or
+  /// arithmetic.
   explicit StoredState(std::string_view bytes);
   const Parameters& parameters() const { return parameters_; }
-  /// Precondition: the engine is new, with these parameters. Throws std::invalid_argument when what was
-  /// stored is no model that calls could have left behind.
+  /// Precondition: the engine is new, with these parameters. Throws std::invalid_argument when the stored
+  /// data is not a possible state of a model.
   void restore(Engine&) const;
 
  private:
@@ -28,7 +28,7 @@ class StoredState {
   std::string_view rest_;
 };
 
-/// Throws std::invalid_argument when an engine that is being restored could do harm if one went on from it.
+/// Throws std::invalid_argument when it would be unsafe to continue from an engine that is being restored.
 /// Precondition: its segments and edges are listed by identity.
 void require_sound(const Engine&, const std::map<SegmentId, SegmentId>& successors);
 

@@ -8,11 +8,11 @@
 
 namespace limpet::model::internal {
 
-/// The one friend of all rooms: takes them apart for a record or stored bytes, and puts them together again.
-/// What it puts together is checked by those who read it (record.cpp, state_checks.cpp).
+/// The one friend of all parts of an engine: it takes them apart for a record or for stored bytes, and puts
+/// them together again. It checks little; record.cpp and state_checks.cpp check what was read.
 struct Storage {
-  // The fields of each that last between two calls, for an archive that reads or writes them. What can be
-  // made from the rest is left out: identities' places, indices, lists of shared edges.
+  // The members of each part that outlast a call, for an archive that reads or writes them. Left out is what
+  // follows from them: places of identities, indices, and lists of shared edges.
 
   static void describe_data(auto& archive, auto& data) {
     auto& sums = data.sums_;
@@ -34,7 +34,7 @@ struct Storage {
     describe_segments(archive, complex.segments_);
   }
 
-  /// Puts segments into the spatial index as they say they are in it.
+  /// Puts all segments into the spatial index, with the boxes they have stored (Segment::indexed).
   static void fill_index(Complex&);
   static void reindex(Complex& complex, Segment& s) { complex.segments_.reindex(complex.setting_, s); }
   static const auto& free_slots(const Complex& complex) { return complex.segments_.free_; }
@@ -61,21 +61,22 @@ struct Storage {
     result.last_joined_ = last_joined;
     return result;
   }
-  /// Counters of a complex that is empty so far.
+  /// Sets the counters of an empty complex.
   static void set_counters(Complex& complex, std::int64_t now, std::uint64_t next_segment,
                            std::uint64_t next_edge) {
     complex.now_ = now;
     complex.segments_.next_id_ = next_segment;
     complex.edge_ids_ = geometry::EdgeIds(next_edge);
   }
-  /// A segment of this identity in the next slot, with nothing else; none when there is one already.
+  /// Adds an empty segment of this identity in the next slot; null when there is one already.
   static Segment* add_segment(Complex& complex, Agenda& agenda, SegmentId);
-  /// Books a polygon that is on its segment: its points, its area, and the places of its edges.
+  /// Enters the polygon of a segment in the complex: its points, its area, and the places of its edges.
   static void book_polygon(Complex& complex, Segment&);
-  /// Lists segments and edges by identity. `refuse`, which throws, is called when two have one identity.
+  /// Enters all segments and edges by identity. Calls `refuse`, which throws, when two have the same
+  /// identity.
   static void list_segments(Complex&, void (*refuse)(const char* what));
-  /// These edges are pairs from now on. `refuse`, which throws, is called for one that is not there, not
-  /// marked as shared, on the segment of its partner, or marked and without a partner.
+  /// Makes these edges partners. Calls `refuse`, which throws, for an edge that does not exist, is not marked
+  /// as shared, is on its partner's segment, or is marked and has no partner.
   static void pair_edges(Complex&, const std::map<geometry::EdgeId, geometry::EdgeId>& partners,
                          void (*refuse)(geometry::EdgeId));
   static std::map<geometry::EdgeId, geometry::EdgeId> partners(const Complex&);

@@ -32,7 +32,7 @@ void Surfaces::leave(Slot slot) {
   place_[slot] = {};
 }
 
-/// A surface of one segment is no longer listed.
+/// Removes a surface that has only one member left, or none.
 void Surfaces::end_if_alone(std::uint32_t surface) {
   if (members_[surface].size() > 1) return;
   if (!members_[surface].empty()) leave(members_[surface].front());
@@ -67,7 +67,7 @@ void Surfaces::update(std::span<const std::pair<Slot, Slot>> changed_links, cons
         if (surface_of(slot) != kAlone) suspects.emplace_back(surface_of(slot), slot);
   std::sort(suspects.begin(), suspects.end());
   suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
-  // Every part of a surface that has come apart holds an end of a link that went.
+  // Every part of a surface that has come apart contains an end of a removed link.
   std::vector<Slot> of_one;
   for (std::size_t i = 0; i < suspects.size(); ++i) {
     of_one.push_back(suspects[i].second);
@@ -88,7 +88,7 @@ class Surfaces::Search {
     }
   }
 
-  /// The next part that no other one has met, whole, while more than one goes on.
+  /// The next complete part that is separate from the others; nothing when only one search is left.
   std::optional<std::vector<Slot>> next_part() {
     while (active_ > 1) {
       Part& part = least_far();
@@ -106,7 +106,7 @@ class Surfaces::Search {
   struct Part {
     std::vector<Slot> frontier, seen;
     std::size_t work;
-    std::size_t merged_into;  ///< itself while it goes on
+    std::size_t merged_into;  ///< itself if it has not been merged
     bool finished = false;
   };
 
@@ -143,7 +143,7 @@ class Surfaces::Search {
     }
   }
 
-  /// Two parts are one; returns which goes on.
+  /// Two parts have met: merges them, and returns the one that goes on.
   std::size_t meet(std::size_t a, std::size_t b) {
     if (parts_[a].seen.size() < parts_[b].seen.size()) std::swap(a, b);
     Part &large = parts_[a], &small = parts_[b];

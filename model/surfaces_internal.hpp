@@ -9,22 +9,23 @@
 
 namespace limpet::model::internal {
 
-/// Surfaces: the connected components of the neighbour relation (thesis §2.2), of segments named by their
-/// slots. Kept as neighbours come and go: two surfaces that meet become one by relabelling the smaller;
-/// where neighbours part, searches from both sides go on, the one that has come less far first, until they
-/// meet, or one has seen all of its part.
+/// Surfaces: the connected components of the neighbour relation (thesis §2.2), with segments named by their
+/// slots. They are updated incrementally: when two surfaces meet, the smaller one is relabelled. When
+/// neighbours part, searches start from both, the one with less work so far always going first, until they
+/// meet or one has seen the whole of its component.
 class Surfaces {
  public:
   using Slot = std::uint32_t;
 
-  /// How the neighbour relation stands now.
+  /// The present neighbour relation.
   struct Relation {
     std::function<bool(Slot, Slot)> are_neighbours;
     /// Appends the neighbours of a segment; one may come more than once.
     std::function<void(Slot, std::vector<Slot>&)> add_neighbours;
   };
 
-  /// All that are in one surface with this one, in no particular order; empty where it is alone.
+  /// The members of the surface of this segment, itself included, in no particular order; empty if it is
+  /// alone.
   std::span<const Slot> with(Slot slot) const {
     const std::uint32_t surface = surface_of(slot);
     return surface == kAlone ? std::span<const Slot>{} : std::span<const Slot>(members_[surface]);
@@ -33,9 +34,9 @@ class Surfaces {
     return a == b || (surface_of(a) != kAlone && surface_of(a) == surface_of(b));
   }
 
-  /// The segment in this slot is gone; the links it had are among those that update() is given.
+  /// The segment in this slot is gone. The links it had must be among those given to the next update().
   void remove(Slot);
-  /// Brings all up to date, where between these pairs links have come or gone.
+  /// Brings the surfaces up to date, after links between these pairs have come or gone.
   void update(std::span<const std::pair<Slot, Slot>> changed_links, const Relation&);
 
  private:
@@ -54,7 +55,7 @@ class Surfaces {
   void split(std::span<const Slot> suspects, const Relation&);
 
   std::vector<Place> place_;                ///< by slot
-  std::vector<std::vector<Slot>> members_;  ///< by surface; empty: the number is free
+  std::vector<std::vector<Slot>> members_;  ///< by surface; empty: an unused entry
   std::vector<std::uint32_t> free_;
 };
 

@@ -18,7 +18,7 @@
 namespace limpet::model::internal {
 namespace {
 
-/// The reading on the model's grid, or nothing when it is no point.
+/// The reading rounded to the model's grid, or nothing when it is no point (Model::update()).
 std::optional<RawPoint> on_grid(const Setting& setting, const SensorPoint& reading) {
   RawPoint raw;
   const double length2 = reading.axis.dot(reading.axis);
@@ -34,7 +34,7 @@ std::optional<RawPoint> on_grid(const Setting& setting, const SensorPoint& readi
   return raw;
 }
 
-/// Step 1, and step 2a for points: each reading becomes a point segment that merges with its best neighbour.
+/// Step 1, and step 2a for points: each reading is inserted into the segment that it fits best.
 void insert_readings(Engine& e, std::span<const SensorPoint> set) {
   for (const SensorPoint& reading : set) {
     auto raw = on_grid(e.setting, reading);
@@ -50,7 +50,7 @@ void insert_readings(Engine& e, std::span<const SensorPoint> set) {
   e.clock.lap(&StageTimes::insertion);
 }
 
-/// Steps 2 and 3; whether anything changed.
+/// Steps 2 and 3. Returns whether anything changed.
 bool mergers_and_fissures(Engine& e) {
   bool any = dissolve_young(e.complex, e.agenda, e.insertion);
   e.clock.lap(&StageTimes::dissolving);
@@ -62,7 +62,7 @@ bool mergers_and_fissures(Engine& e) {
   return any;
 }
 
-/// Steps 4 and 5; whether anything changed.
+/// Steps 4 and 5, and deleting redundant segments. Returns whether anything changed.
 bool shared_edges_and_corners(Engine& e) {
   bool any = share_modified(e.complex, e.agenda);
   any |= form_corners_of_modified(e.complex, e.agenda);
@@ -94,7 +94,7 @@ bool drop_all_chance_holes(Engine& e) {
   return any;
 }
 
-/// Marks what the last round left changed.
+/// Marks the polygons that the last round has left with something to look at.
 void mark_changed(Engine& e) {
   e.complex.segments().for_each([&](const Segment& s) {
     if (!s.polygon) return;
@@ -130,8 +130,8 @@ void until_nothing_changes(Engine& e) {
   }
 }
 
-/// What is still open may be so by chance: sections are looked for farther from their lines. Then short edges
-/// may make neighbours, too, where long ones have not met in a corner.
+/// Edges may still be open because of chance gaps, so sections are searched for farther from their lines.
+/// After that, short edges may make neighbours as well, where longer ones have not met in a corner.
 void close_what_is_open(Engine& e) {
   const SharingReach last = last_reach(e.setting.rules());
   for (const SharingReach& reach : {SharingReach{last.section, e.agenda.sharing.least, true},
@@ -166,7 +166,7 @@ void add_initial_faces(Engine& e, std::span<const InitialFace> faces) {
   begin_call(e);
   try {
     for (std::size_t i = 0; i < faces.size(); ++i) add_initial(e.complex, i, faces[i]);
-  } catch (...) {  // those before the one that is refused stay
+  } catch (...) {  // the faces before the refused one stay
     end_call(e);
     throw;
   }
@@ -175,12 +175,14 @@ void add_initial_faces(Engine& e, std::span<const InitialFace> faces) {
 
 void update_set(Engine& e, std::span<const SensorPoint> set) {
   begin_call(e);
-  e.agenda.forget_disorder();
-  insert_readings(e, set);
-  mergers_and_fissures(e);
-  shared_edges_and_corners(e);
-  e.agenda.clear_modified();  // step 6
-  expire_outliers(e);
+  if (!set.empty()) {  // nothing has come, so nothing is due that was not before: law 9 of Model
+    e.agenda.forget_disorder();
+    insert_readings(e, set);
+    mergers_and_fissures(e);
+    shared_edges_and_corners(e);
+    e.agenda.clear_modified();  // step 6
+    expire_outliers(e);
+  }
   end_call(e);
   e.clock.lap(&StageTimes::rest);
   ++e.counts.sets;
@@ -193,7 +195,7 @@ void finish(Engine& e) {
     e.complex.segments().for_each([&](const Segment& s) {
       if (s.polygon) refit(e.complex, e.agenda, s);
     });
-    e.complex.allow_returns();  // the model has grown since: all points may try again
+    e.complex.allow_returns();  // the model has grown since, so all points may be inserted again
     release_slow_polygons(e.complex, e.insertion);
     release_all_point_segments(e.complex, e.insertion);
     mark_all(e);

@@ -28,13 +28,13 @@ void require_length(double x, const char* what) { require(x >= 0, what); }
 
 constexpr const char* kReach = "a reach must be 0 or more";
 
-/// By distance, then segment.
+/// Order by distance, then segment.
 template <class Found>
 bool comes_before(const Found& a, const Found& b) {
   return std::tie(a.distance, a.segment) < std::tie(b.distance, b.segment);
 }
 
-/// A question about the neighbourhood of a point.
+/// The question what is near a point.
 class AroundPoint {
  public:
   using Found = View::Nearest;
@@ -53,7 +53,7 @@ class AroundPoint {
   const Vector3d& p_;
 };
 
-/// A question about the neighbourhood of a link.
+/// The question what is near a link.
 class AroundLink {
  public:
   using Found = View::LinkNearest;
@@ -76,7 +76,8 @@ class AroundLink {
   double rounding, limit;
 
  private:
-  /// No less than the distance from the axis of what is so far from the surface, whatever was rounded.
+  /// An upper bound, in spite of rounding, on the distance from the axis of points at this distance from the
+  /// link's surface.
   static double from_axis(double distance, double radius) {
     return distance + radius + 0x1p-50 * (std::abs(distance) + radius);
   }

@@ -59,10 +59,10 @@ struct Capsule {
 ///  (4) the answer depends neither on how the segments are stored nor on earlier questions.
 ///
 /// The time of a question about a place depends on what lies near it, not on the size of the model or of a
-/// perimeter. No memory is allocated except in the lists that the caller passes, which are cleared first.
-/// Throws std::invalid_argument unless coordinates are finite and within 2^300 grid steps of the origin,
-/// radii between 0 and 2^300 grid steps, and reaches and ranges at least 0 (they may be infinite). near()
-/// takes any box.
+/// perimeter. Memory is allocated only in the caller's lists, which are cleared first. Throws
+/// std::invalid_argument unless coordinates are finite and within 2^300 grid steps of the origin, radii
+/// between 0 and 2^300 grid steps, and reaches and ranges at least 0 (they may be infinite). near() takes any
+/// box.
 class View {
  public:
   /// The point of a segment that is nearest to a given point.
@@ -112,9 +112,9 @@ class View {
   };
 
   /// The first polygon that a ray meets within `range`; a polygon that holds its start `from` counts. `axis`
-  /// may have any finite length but 0 (else std::invalid_argument). A polygon whose plane is parallel to the
-  /// ray or contains it is never met, nor is a point segment. The two copies of a shared edge may be some
-  /// grid steps apart, so that a ray may pass between them.
+  /// may have any finite length but 0 (else std::invalid_argument). Never met are polygons whose plane is
+  /// parallel to the ray or contains it, and point segments. The two copies of a shared edge may be some grid
+  /// steps apart, so that a ray may pass between them.
   std::optional<Hit> first_hit(const Eigen::Vector3d& from, const Eigen::Vector3d& axis, double range,
                                const Which& = {}) const;
 

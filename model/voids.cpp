@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Holes that are only places where by chance no sensor point fell. At five points per λ² an empty disc wider
-// than λ is no rarity, and a perimeter grows around it.
+// Holes that are only chance gaps, where no sensor point happened to fall. At five points per λ² an empty
+// disc wider than λ is not rare, and a perimeter may grow around it.
 #include "voids_internal.hpp"
 
 #include <algorithm>
@@ -14,15 +14,15 @@
 namespace limpet::model::internal {
 namespace {
 
-/// Area of the polygon as if it had no holes narrower than those that chance may leave: all that its points
-/// are spread over.
+/// Area of the polygon with these holes filled: the area that its points are spread over, if the holes are
+/// chance gaps.
 double area_with(const geometry::Polygon& perimeter, const std::vector<geometry::CycleId>& holes) {
   double area = geometry::area(perimeter);
   for (const geometry::CycleId id : holes) area -= geometry::signed_area(perimeter, perimeter.cycle(id));
   return area;
 }
 
-/// Such a hole is the footprint of something, however small.
+/// Is a hole shared all around? Then it is the footprint of something, however small.
 bool all_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle& cycle) {
   const auto vertices = polygon.vertices(cycle);
   return std::all_of(vertices.begin(), vertices.end(), [](const auto& v) { return v.shared; });
@@ -30,9 +30,9 @@ bool all_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle
 
 }  // namespace
 
-/// It is empty with probability exp(−n) when n points are expected there. It could lie at any point, and its
-/// perimeter go from each point to any of those within the gap ahead, c in half a disc: m·cᵏ shapes. By
-/// chance, then, when the product of both is above 10⁻³.
+/// An area in which n points are expected is empty with probability exp(−n). Its outline may start at any of
+/// the m points, and go on from each vertex to any of the c points in the half disc of radius λ ahead: m·cᵏ
+/// shapes. It may be a chance gap if the product of both is above 10⁻³.
 bool empty_by_chance(double area, std::size_t k, std::int64_t m, double density, double gap) {
   const double choices = std::max(1.5707963 * density * gap * gap, 2.0);
   return density * area <
@@ -59,8 +59,8 @@ bool drop_chance_holes(Complex& complex, const Segment& s) {
   }
   const auto m = s.count();
   geometry::Edit edit;
-  // The density is that of the area without the holes that matter, which are not known before: as they go, it
-  // rises, and others turn out not to be chance.
+  // The density has to leave out the area of true holes, which are not known yet. So all holes start as
+  // candidates; each one found to be true raises the density, which may show others to be true.
   for (std::size_t before = small.size() + 1; small.size() < before;) {
     before = small.size();
     const double density = static_cast<double>(m) / area_with(perimeter, small);

@@ -1,8 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// What finishing would close: tried on a copy. An edge that survives tells for itself. One that is gone there
-// has given way to others: the nearest edge in its place tells, and where there is none within λ, the place
-// has been filled.
+// What finish() would close, tried on a copy. An edge that still exists on the copy is closed if it is shared
+// there. If it is gone, the nearest edge of its segment within λ of its middle stands for it; if there is
+// none, the gap has been filled.
 #include "would_finish_internal.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Stretch stretch_of(const PolygonPart& part, Slot edge) {
   return {part.position(edge), part.position(part.perimeter.next(edge))};
 }
 
-/// The edges of a finished model, by where they are.
+/// The edges of a finished model, by place.
 class Finished {
  public:
   explicit Finished(const Complex& complex)
@@ -48,7 +48,7 @@ class Finished {
     });
   }
 
-  /// The edge nearest to p within λ: on this segment if it is not none, else on any.
+  /// The edge nearest to p within λ, on this segment, or on any if `on` is none.
   std::optional<EdgeId> nearest(const Eigen::Vector3d& p, SegmentId on) const {
     std::vector<std::uint32_t> found;
     index_.query(box_around(p, lambda_), found);
