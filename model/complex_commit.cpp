@@ -100,7 +100,11 @@ void Complex::perimeter_changed(Segment& s, std::span<const EdgeId> born) {
   BoundaryDifference difference = book_difference(s, false);
   for (const EdgeId edge : born)
     if (std::erase(difference.moved, edge) > 0) difference.appeared.push_back(edge);
-  const DirtyRegion where = region_of(*s.polygon, difference.put);
+  complete(s, region_of(*s.polygon, difference.put), std::move(difference));
+}
+
+/// What follows of a difference that has been recorded.
+void Complex::complete(Segment& s, const DirtyRegion& where, BoundaryDifference&& difference) {
   extend_box(s, where);
   description_changed(s, where);
   reindex(s);

@@ -22,6 +22,8 @@ struct BoundaryDifference {
   std::vector<geometry::EdgeId> appeared;  ///< new edges
   std::vector<geometry::EdgeId> moved;     ///< edges with a moved end, or from another segment
   PlacedEdges put;  ///< all edges that were put in place, in the order of the operation
+
+  bool empty() const { return removed.empty() && put.empty(); }
 };
 
 /// Edits of several perimeters, all of which are made, or none.
@@ -105,11 +107,21 @@ class Complex {
   /// Gives this polygon, with new edges, to a new initial segment, or to a point segment.
   const Segment& create_initial(const Fit&, std::unique_ptr<PolygonPart>);
   void become_polygon(const Segment&, std::unique_ptr<PolygonPart>);
-  /// Calls `operation(perimeter, edge identities)`, which changes the perimeter or leaves it as it was, and
-  /// records what it did. Returns its result and the difference. `looked_at`: the edges it puts in place need
-  /// not be searched for fissures.
+  /// Calls `operation(perimeter, edge identities)`, which changes the perimeter or leaves it as it was,
+  /// records what it did, and all that follows: `where(difference)` (world) is where the description has
+  /// changed. `looked_at`: the edges it puts in place need not be searched for fissures. Returns what it
+  /// returned.
+  template <class Where, class Operation>
+  auto change_perimeter(const Segment& s, bool looked_at, Where&& where, Operation&& operation) {
+    auto [answer, difference] = start_change(s, looked_at, operation);
+    if (!difference.empty()) complete(mutable_of(s), where(std::as_const(difference)), std::move(difference));
+    return answer;
+  }
+  /// The same up to the difference, which is returned with the result: for a merger, of which box,
+  /// description and index follow (extend_box(), description_changed(), reindex(), tell()) when all of it is
+  /// done.
   template <class Operation>
-  auto change_perimeter(const Segment& s, bool looked_at, Operation&& operation) {
+  auto start_change(const Segment& s, bool looked_at, Operation&& operation) {
     auto answer = operation(mutable_of(s).polygon->perimeter, edge_ids_);
     return std::pair(std::move(answer), book_difference(mutable_of(s), looked_at));
   }
@@ -165,6 +177,7 @@ class Complex {
   BoundaryDifference book_difference(Segment&, bool looked_at);
   void book_put_edges(Segment&, BoundaryDifference&);
   void book_removed_edges(std::vector<geometry::EdgeId>& removed);
+  void complete(Segment&, const DirtyRegion& where, BoundaryDifference&&);
   void perimeter_changed(Segment&, std::span<const geometry::EdgeId> born);
   void count_area(PolygonPart&);
   void forget_points(Segment&);

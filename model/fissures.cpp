@@ -14,14 +14,12 @@ bool fill(Complex& complex, Agenda& agenda, const Segment& s) {
   const PlacedEdges fresh = std::exchange(agenda.polygon(s.slot).fresh, {});
   if (fresh.empty()) return false;
   const DirtyRegion where = region_of(*s.polygon, fresh);
-  auto [filled, difference] =
-      complex.change_perimeter(s, true, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
+  const auto at_fresh_edges = [&](const BoundaryDifference&) { return where; };  // others may be nearer now
+  const auto filled = complex.change_perimeter(
+      s, true, at_fresh_edges, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
         return geometry::fill_fissures(perimeter, fresh, complex.setting().gap, ids, complex.rules().holes);
       });
-  if (filled == 0) return false;
-  complex.tell(s, std::move(difference));
-  complex.description_changed(s, where);  // other segments may be nearer now
-  return true;
+  return filled > 0;
 }
 
 }  // namespace

@@ -33,19 +33,16 @@ bool merged_fit_accepted(const Setting& setting, const Segment& polygon, const D
 bool extend_perimeter(Complex& complex, const Segment& polygon, const Standing& st) {
   const double gap = complex.setting().gap;
   if (!st.outside || (complex.rules().near && st.perimeter_distance < gap / 4)) return true;
-  auto [extension, difference] =
-      complex.change_perimeter(polygon, false, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
+  const auto at_new_edges = [&](const BoundaryDifference& difference) {
+    Box3 box;
+    for (const auto& [slot, edge] : difference.put) box.extend(polygon.polygon->position(slot));
+    return box;
+  };
+  const auto extension = complex.change_perimeter(
+      polygon, false, at_new_edges, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
         return geometry::extend_to_point(perimeter, st.chart_point, gap, ids);
       });
-  if (extension == geometry::Extension::refused) return false;
-  if (extension != geometry::Extension::extended) return true;
-  Box3 where;
-  for (const auto& [slot, edge] : difference.put) where.extend(polygon.polygon->position(slot));
-  complex.extend_box(polygon, where);
-  complex.description_changed(polygon, where);
-  complex.reindex(polygon);
-  complex.tell(polygon, std::move(difference));
-  return true;
+  return extension != geometry::Extension::refused;
 }
 
 void joined(Complex& complex, Agenda& agenda, const Segment& polygon) {

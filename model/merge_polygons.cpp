@@ -136,7 +136,7 @@ bool merge_polygon_segments(Complex& complex, Agenda& agenda, const Segment& s1,
   std::vector<geometry::EdgeId> inherited;
   complex.with_ends_apart([&] {
     auto [outcome, difference] =
-        complex.change_perimeter(a, false, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
+        complex.start_change(a, false, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
           return merge_perimeters(setting, perimeter, *other, ids);
         });
     merger = outcome;

@@ -72,13 +72,11 @@ bool drop_chance_holes(Complex& complex, const Segment& s) {
   }
   edit.removed_cycles = small;
   if (edit.removed_cycles.empty()) return false;
-  auto [verdict, difference] = complex.change_perimeter(
-      s, false,
+  const auto all_over = [&](const BoundaryDifference&) { return s.polygon->box; };
+  const auto verdict = complex.change_perimeter(
+      s, false, all_over,
       [&](geometry::Polygon& polygon, geometry::EdgeIds& ids) { return polygon.change(edit, ids); });
-  if (verdict != geometry::Verdict::valid) return false;
-  complex.tell(s, std::move(difference));
-  complex.description_changed(s, s.polygon->box);
-  return true;
+  return verdict == geometry::Verdict::valid;
 }
 
 }  // namespace limpet::model::internal
