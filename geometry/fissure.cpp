@@ -206,7 +206,7 @@ class Filler {
   double gap_;
   EdgeIds& ids_;
   bool bridge_;
-  std::vector<std::pair<Slot, EdgeId>> queue_;  ///< the worklist of edges; those examined stay in it
+  std::vector<std::pair<Slot, EdgeId>> queue_;    ///< the worklist of edges; those examined stay in it
   std::size_t read_ = polygon_.created().size();  ///< of the edges put in place, so many are in the worklist
   std::size_t count_ = 0;
 };

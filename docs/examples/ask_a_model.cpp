@@ -19,7 +19,8 @@ int main(int argc, char** argv) try {
   if (const auto hit = view.first_hit(place, {0, 0, -1}, 1.0))
     std::cout << "below, segment " << hit->segment.value << " at " << hit->range << "\n";
   const limpet::model::Outcome outcome = model.would_finish();
-  std::cout << outcome.edges.size() << " edges are open; finishing would leave " << outcome.open_edges << "\n";
+  std::cout << outcome.edges.size() << " edges are open; finishing would leave " << outcome.open_edges
+            << "\n";
   return 0;
 } catch (const std::exception& error) {
   std::cerr << error.what() << "\n";
