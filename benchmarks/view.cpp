@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include <limpet/model/view.hpp>
-#include <limpet/simulation/random.hpp>
+#include <limpet/survey/random.hpp>
 
 #include "contestants.hpp"
 #include "sections.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 using model::View;
-using simulation::Random;
+using survey::Random;
 
 constexpr std::size_t kQuestions = 10'000;
 constexpr int kRounds = 3;
