@@ -32,6 +32,7 @@ std::string cell_text(const Json& cell, int digits) {
     const auto number = cell.get<double>();
     return number < 1000 ? number_text(number, digits) : grouped(number_text(number, digits));
   }
+  if (cell.is_boolean()) return cell.get<bool>() ? "yes" : "no";
   return grouped(cell.dump());
 }
 
