@@ -10,6 +10,11 @@ void Agenda::opened(std::uint32_t slot) {
 
 void Agenda::became_polygon(std::uint32_t slot) { due_[slot].polygon = std::make_unique<PolygonDue>(); }
 
+void Agenda::list_modified(std::uint32_t slot) {
+  modified_.push_back(slot);
+  if (neighbours_) to_share_.push_back(slot);
+}
+
 void Agenda::clear_modified() {
   for (const std::uint32_t slot : modified_) due_[slot].modified = false;
   modified_.clear();
@@ -21,14 +26,16 @@ void Agenda::description_changed(std::uint32_t slot, const DirtyRegion& where, b
   mark_modified(slot);
 }
 
-std::vector<std::uint32_t> Agenda::take_to_share() {
+const std::vector<std::uint32_t>& Agenda::take_to_share() {
   for (int i = 0; i < kWaitingSeen && !share_later_.empty(); ++i) {
     const std::uint32_t slot = share_later_.front();
     share_later_.pop_front();
     to_share_.push_back(slot);
     if (due_[slot].polygon) polygon(slot).shared_later = false;
   }
-  return std::exchange(to_share_, {});
+  taken_.clear();
+  std::swap(taken_, to_share_);
+  return taken_;
 }
 
 void Agenda::wait_to_share(std::uint32_t slot) {

@@ -52,9 +52,7 @@ class Agenda {
 
   /// Flags the segment (thesis §2.3), for steps 2 to 5 to look at.
   void mark_modified(std::uint32_t slot) {
-    if (std::exchange(due_[slot].modified, true)) return;
-    modified_.push_back(slot);
-    if (neighbours_) to_share_.push_back(slot);
+    if (!std::exchange(due_[slot].modified, true)) list_modified(slot);
   }
   /// The flagged slots, in the order in which they were flagged.
   const std::vector<std::uint32_t>& modified() const { return modified_; }
@@ -72,8 +70,8 @@ class Agenda {
   std::size_t& seen(std::uint32_t slot) { return due_[slot].seen; }
 
   /// Step 4: takes the slots modified since the last call, and the next kWaitingSeen of those that wait. The
-  /// caller sends those that are not due back to wait_to_share().
-  std::vector<std::uint32_t> take_to_share();
+  /// caller sends those that are not due back to wait_to_share(). Valid until the next call.
+  const std::vector<std::uint32_t>& take_to_share();
   void wait_to_share(std::uint32_t slot);
   /// The places (world) where a look at two polygons is due, to be added to.
   DirtyRegion& look_due(SlotPair pair) { return looks_due_[pair]; }
@@ -118,9 +116,12 @@ class Agenda {
     Owned<PolygonDue> polygon;
   };
 
+  void list_modified(std::uint32_t slot);
+
   bool neighbours_;
   std::vector<Due> due_;  ///< by slot
   std::vector<std::uint32_t> modified_, to_share_;
+  std::vector<std::uint32_t> taken_;  ///< what take_to_share() returned last; its memory serves the next one
   std::deque<std::uint32_t> share_later_;
   std::map<SlotPair, DirtyRegion> looks_due_;
   SlotPair last_look_{};

@@ -98,8 +98,13 @@ void Complex::absorb(const Segment& into, const RawPoint& raw) {
   const bool was_young = s.young();
   s.data.absorb(raw, now_);
   ++modelled_points_;
-  if (!was_young) return add_height(setting_, *s.polygon, setting_.world(raw.at), 1);
-  if (may_be_young(setting_, s.count(), s.fit)) return;
+  if (!was_young)
+    add_height(setting_, *s.polygon, setting_.world(raw.at), 1);
+  else if (!may_be_young(setting_, s.count(), s.fit))
+    become_mature(s);
+}
+
+void Complex::become_mature(Segment& s) {
   forget_points(s);
   agenda_.look_for_neighbours(s.slot, s.polygon->box);
 }

@@ -181,6 +181,7 @@ class Complex {
   void perimeter_changed(Segment&, std::span<const geometry::EdgeId> born);
   void count_area(PolygonPart&);
   void forget_points(Segment&);
+  void become_mature(Segment&);
   void absorb_data(Segment& into, const Segment& from, bool stays_young);
   std::vector<geometry::EdgeId> erase(Segment&);
   void make_open(geometry::EdgeId);

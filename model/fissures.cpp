@@ -26,8 +26,8 @@ bool fill(Complex& complex, Agenda& agenda, const Segment& s) {
 
 bool fill_modified(Complex& complex, Agenda& agenda) {
   bool any = false;
-  for (const std::uint32_t slot : std::vector<std::uint32_t>(agenda.modified()))
-    if (const Segment* s = complex.in_slot(slot); s && s->polygon && !s->initial())
+  for (std::size_t i = 0; i < agenda.modified().size(); ++i)  // it may grow
+    if (const Segment* s = complex.in_slot(agenda.modified()[i]); s && s->polygon && !s->initial())
       any |= fill(complex, agenda, *s);
   return any;
 }

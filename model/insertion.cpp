@@ -36,7 +36,6 @@ void Insertion::add_polygon(const Segment& s, const Eigen::Vector3d& p, const Ei
 /// Orders several polygons that data at p fits by the height of p over their surface there (its height map,
 /// if known, else its plane).
 void Insertion::order_by_heights(const Eigen::Vector3d& p, Candidates& polygons) const {
-  if (polygons.size() < 2) return;
   if (complex_.setting().relief_kept())
     for (Candidate& c : polygons) {
       const auto local =
@@ -66,7 +65,7 @@ void Insertion::find_neighbours(const Segment& s, bool polygons_tried) {
       add_polygon(other, centroid, s.data.axis_sum(), residual2, s.data.variance(), polygons);
     }
   }
-  order_by_heights(centroid, polygons);
+  if (polygons.size() > 1) order_by_heights(centroid, polygons);
   if (!complex_.rules().best)
     polygons.insert(polygons.end(), points.begin(), points.end()), points.clear(), order(polygons);
   order(points);
@@ -116,7 +115,7 @@ void Insertion::insert_one(const RawPoint& raw) {
     if (height * height < complex_.setting().lambda2)
       add_polygon(s, p, raw.axis, height * height, raw.variance, candidates_);
   }
-  order_by_heights(p, candidates_);
+  if (candidates_.size() > 1) order_by_heights(p, candidates_);
   for (const Candidate& c : candidates_)
     if (merge_point_into_polygon(complex_, agenda_, *c.segment, raw, c.standing))
       return labels_.set(raw, c.segment->id);

@@ -11,10 +11,6 @@ std::int64_t Labels::add() {
   return static_cast<std::int64_t>(segments_.size()) - 1;
 }
 
-void Labels::set(const RawPoint& raw, SegmentId id) {
-  if (kept_ && raw.serial >= 0) segments_[static_cast<std::size_t>(raw.serial)] = id.value;
-}
-
 void Labels::follow(std::span<const Change> changes) {
   if (!kept_) return;
   for (const Change& c : changes)

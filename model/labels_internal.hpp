@@ -22,7 +22,9 @@ class Labels {
   /// Adds the label of a new reading, 0 so far. Returns its place, or −1 when labels are not kept.
   std::int64_t add();
   /// Sets the label of a point.
-  void set(const RawPoint&, SegmentId);
+  void set(const RawPoint& raw, SegmentId id) {
+    if (kept_ && raw.serial >= 0) segments_[static_cast<std::size_t>(raw.serial)] = id.value;
+  }
   /// Follows the mergers among these changes.
   void follow(std::span<const Change>);
   /// For each reading the segment it is in now; 0: in none.

@@ -28,11 +28,14 @@ bool merged_fit_accepted(const Setting& setting, const Segment& polygon, const D
   return !differs_from_initial(setting, *polygon.polygon, fit);
 }
 
-/// Makes the projected point a vertex, unless it is inside, or so near that it adds nothing. False if the
-/// extension was refused.
+/// Does the perimeter grow by the projected point? Not if that is inside, or so near that it adds nothing.
+bool adds_area(const Setting& setting, const Standing& st) {
+  return st.outside && !(setting.rules().near && st.perimeter_distance < setting.gap / 4);
+}
+
+/// Makes the projected point a vertex. False if the extension was refused.
 bool extend_perimeter(Complex& complex, const Segment& polygon, const Standing& st) {
   const double gap = complex.setting().gap;
-  if (!st.outside || (complex.rules().near && st.perimeter_distance < gap / 4)) return true;
   const auto at_new_edges = [&](const BoundaryDifference& difference) {
     Box3 box;
     for (const auto& [slot, edge] : difference.put) box.extend(polygon.polygon->position(slot));
@@ -55,7 +58,7 @@ void joined(Complex& complex, Agenda& agenda, const Segment& polygon) {
 bool merge_point_into_polygon(Complex& complex, Agenda& agenda, const Segment& polygon, const RawPoint& raw,
                               const Standing& st) {
   if (!merged_fit_accepted(complex.setting(), polygon, raw.at, raw.axis) ||
-      !extend_perimeter(complex, polygon, st))
+      (adds_area(complex.setting(), st) && !extend_perimeter(complex, polygon, st)))
     return false;
   complex.absorb(polygon, raw);
   joined(complex, agenda, polygon);
@@ -66,7 +69,7 @@ bool merge_segment_into_polygon(Complex& complex, Agenda& agenda, const Segment&
                                 const Segment& other, const Standing& st) {
   const Setting& setting = complex.setting();
   if (!merged_fit_accepted(setting, polygon, other.data.moments(), other.data.axis_sum()) ||
-      !extend_perimeter(complex, polygon, st))
+      (adds_area(setting, st) && !extend_perimeter(complex, polygon, st)))
     return false;
   const bool young =
       polygon.young() && other.young() && may_be_young(setting, polygon.count() + other.count(), polygon.fit);

@@ -96,10 +96,6 @@ void refit(Complex& complex, const Agenda& agenda, const Segment& s) {
   publish(complex, agenda, s);
 }
 
-void refit_if_due(Complex& complex, const Agenda& agenda, const Segment& s) {
-  if (s.young() || s.count() >= s.next_fit) refit(complex, agenda, s);
-}
-
 bool variance_allowed(const Setting& setting, const PolygonPart& part, const Moments& merged) {
   // The margin makes it true in exact arithmetic, too.
   return merged.squared_residual(part.published.plane(part.chart), setting.step) < 0.999 * setting.lambda2;

@@ -13,7 +13,9 @@ namespace limpet::model::internal {
 /// kPublishPart; when finishing, if it moves the polygon by more than a grid step.
 void refit(Complex&, const Agenda&, const Segment&);
 /// The same, if the polygon is young, or has one part in kGrowthPart more points than at the last fit.
-void refit_if_due(Complex&, const Agenda&, const Segment&);
+inline void refit_if_due(Complex& complex, const Agenda& agenda, const Segment& s) {
+  if (s.young() || s.count() >= s.next_fit) refit(complex, agenda, s);
+}
 
 /// With these moments, is the points' variance about the published plane below λ² (thesis §2.2)?
 bool variance_allowed(const Setting&, const PolygonPart&, const Moments& merged);

@@ -25,12 +25,7 @@ void SegmentData::absorb(const SegmentData& other, bool stays_young, std::int64_
   last_joined_ = now;
 }
 
-void SegmentData::absorb(const RawPoint& point, std::int64_t now) {
-  sums_.moments.add(point.at);
-  sums_.axis += point.axis;
-  sums_.variance += point.variance;
-  last_joined_ = now;
-  if (!young()) return;
+void SegmentData::keep(const RawPoint& point, std::int64_t now) {
   raw_.push_back(point);
   if (point.since < 0) raw_.back().since = now;
   sums_.since += static_cast<double>(raw_.back().since);

@@ -34,6 +34,12 @@ class SegmentData {
 
     double count() const { return static_cast<double>(moments.count()); }
     Sums& operator+=(const Sums& other);
+    /// Adds a point, but for its `since`.
+    void add(const RawPoint& point) {
+      moments.add(point.at);
+      axis += point.axis;
+      variance += point.variance;
+    }
   };
 
   SegmentData() = default;
@@ -56,13 +62,19 @@ class SegmentData {
   /// are young), else none.
   void absorb(const SegmentData& other, bool stays_young, std::int64_t now);
   /// A point joins. It is kept if this is young.
-  void absorb(const RawPoint&, std::int64_t now);
+  void absorb(const RawPoint& point, std::int64_t now) {
+    sums_.add(point);
+    last_joined_ = now;
+    if (young()) keep(point, now);
+  }
   /// Makes this mature: keeps the sums, and drops the points.
   void forget_points() { raw_ = std::vector<RawPoint>(); }  // `= {}` would keep the memory
   /// Sets RawPoint::returned back to 0.
   void allow_returns();
 
  private:
+  void keep(const RawPoint&, std::int64_t now);
+
   friend struct Storage;  // taking apart and putting together (storage_internal.hpp)
 
   Sums sums_;
