@@ -14,11 +14,9 @@ using geometry::EdgeId;
 
 Turn polygons_near(const Complex& complex, const DirtyRegion& places, std::uint32_t but) {
   Turn near;
-  for (const Box3& box : places.boxes())
-    complex.polygons().any_of(box, [&](std::uint32_t slot) {
-      if (slot != but) near.emplace_back(complex.at(slot).id, slot);
-      return false;
-    });
+  for_each_near(complex.polygons(), places, [&](std::uint32_t slot) {
+    if (slot != but) near.emplace_back(complex.at(slot).id, slot);
+  });
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   return near;
@@ -98,10 +96,11 @@ void Complex::absorb(const Segment& into, const RawPoint& raw) {
   const bool was_young = s.young();
   s.data.absorb(raw, now_);
   ++modelled_points_;
-  if (!was_young)
-    add_height(setting_, *s.polygon, setting_.world(raw.at), 1);
-  else if (!may_be_young(setting_, s.count(), s.fit))
+  if (!was_young) {
+    if (setting_.relief_kept()) add_height(setting_, *s.polygon, setting_.world(raw.at), 1);
+  } else if (!may_be_young(setting_, s.count(), s.fit)) {
     become_mature(s);
+  }
 }
 
 void Complex::become_mature(Segment& s) {

@@ -63,7 +63,7 @@ void Complex::tell(const Segment& s, BoundaryDifference&& difference) {
   changes_.add(Change::Kind::edges_removed, s.id, difference.removed);
   changes_.add(Change::Kind::edges_created, s.id, difference.appeared);
   changes_.add(Change::Kind::edges_moved, s.id, difference.moved);
-  difference.appeared.clear(), difference.moved.clear();
+  difference.clear();
   spare_ = std::move(difference);
 }
 
@@ -200,7 +200,6 @@ void Complex::plane_moved(const Segment& s) {
   description_changed(s, part.box);
   reindex(s);
   BoundaryDifference difference = std::move(spare_);
-  difference.removed.clear();
   for_each_edge(part.perimeter,
                 [&](Slot slot) { difference.moved.push_back(part.perimeter.node(slot).edge); });
   tell(s, std::move(difference));

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <utility>
@@ -24,6 +25,7 @@ struct BoundaryDifference {
   PlacedEdges put;  ///< all edges that were put in place, in the order of the operation
 
   bool empty() const { return removed.empty() && put.empty(); }
+  void clear() { removed.clear(), appeared.clear(), moved.clear(), put.clear(); }
 };
 
 /// Edits of several perimeters, all of which are made, or none.
@@ -114,7 +116,10 @@ class Complex {
   template <class Where, class Operation>
   auto change_perimeter(const Segment& s, bool looked_at, Where&& where, Operation&& operation) {
     auto [answer, difference] = start_change(s, looked_at, operation);
-    if (!difference.empty()) complete(mutable_of(s), where(std::as_const(difference)), std::move(difference));
+    if (difference.empty())
+      spare_ = std::move(difference);
+    else
+      complete(mutable_of(s), where(std::as_const(difference)), std::move(difference));
     return answer;
   }
   /// The same up to the difference, which is returned with the result: for a merger, of which box,
@@ -200,7 +205,7 @@ class Complex {
   std::int64_t modelled_points_ = 0;
   int ends_held_ = 0;                       ///< see with_ends_apart()
   std::vector<geometry::EdgeId> ends_due_;  ///< shared edges whose ends are to be checked then
-  BoundaryDifference spare_;                ///< empty; keeps its memory for the next one
+  BoundaryDifference spare_;                ///< empty; its memory is for the next one
   ChangeList changes_;
 };
 

@@ -24,7 +24,7 @@ bool form_corner(Complex& complex, Ring& ring, const SharingReach& reach) {
     edges.push_back(parts[i].segment->polygon->perimeter.node(parts[i].before).edge);
   }
   complex.commit_judged(transaction);
-  complex.tell_corner(*parts[0].segment, *parts[1].segment, std::move(edges));
+  complex.tell_corner(*parts[0].segment, *parts[1].segment, edges);
   return true;
 }
 

@@ -22,11 +22,7 @@ void DirtyRegion::add(const Box3& place) {
 
 void query(const SpatialIndex& index, const DirtyRegion& places, std::vector<std::uint32_t>& found) {
   found.clear();
-  for (const Box3& box : places.boxes())
-    index.any_of(box, [&](std::uint32_t slot) {
-      found.push_back(slot);
-      return false;
-    });
+  for_each_near(index, places, [&](std::uint32_t slot) { found.push_back(slot); });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }

@@ -32,6 +32,15 @@ class DirtyRegion {
   std::vector<Box3> boxes_;
 };
 
+/// Calls f(slot) for segments near the region, maybe more than once for each, in no particular order.
+template <class F>
+void for_each_near(const SpatialIndex& index, const DirtyRegion& region, F&& f) {
+  for (const Box3& box : region.boxes())
+    index.any_of(box, [&](std::uint32_t slot) {
+      f(slot);
+      return false;
+    });
+}
 /// Slots of segments near the region, in ascending order.
 void query(const SpatialIndex&, const DirtyRegion&, std::vector<std::uint32_t>& found);
 /// The places, in the world, of those of the edges that are still on the perimeter.

@@ -3,6 +3,7 @@
 // A young segment is dissolved if a fifth of its points fit mature neighbours, as those of a sliver across an
 // edge do. Its points are inserted again.
 #include <algorithm>
+#include <cassert>
 
 #include "dissolve_internal.hpp"
 #include "promotion_internal.hpp"
@@ -121,6 +122,15 @@ bool came_too_slowly(const Complex& complex, const Segment& s, std::int64_t from
 }
 
 }  // namespace
+
+void release_points(Complex& complex, PendingPoints& pending, const Segment& s, bool count_return) {
+  assert(static_cast<std::int64_t>(s.data.raw().size()) == s.count());
+  for (RawPoint raw : s.data.raw()) {
+    raw.returned += count_return;
+    pending.push_back(raw);
+  }
+  complex.remove(s);
+}
 
 void release_slow_polygons(Complex& complex, Insertion& insertion) {
   Turn slow;

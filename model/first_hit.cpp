@@ -11,20 +11,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Where the ray enters the box, grown by `slack`; nothing when it passes by.
-std::optional<double> entry(const Box3& box, const Vector3d& from, const Vector3d& axis, double slack) {
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const double low = box.min()[i] - slack - from[i], high = box.max()[i] + slack - from[i];
-    if (axis[i] == 0) {
-      if (low > 0 || high < 0) return std::nullopt;
-      continue;
-    }
-    const double t = low / axis[i], u = high / axis[i];
-    first = std::max(first, std::min(t, u)), last = std::min(last, std::max(t, u));
-  }
-  if (first > last) return std::nullopt;
-  return first;
+/// Where the ray enters the box, 0 if it starts inside; nothing when it passes by.
+std::optional<double> entry(const Box3& box, const SpatialIndex::Ray& ray) {
+  const auto [enters, leaves] = ray.within(box);
+  const double first = std::max(0.0, enters);
+  return first <= leaves ? std::optional(first) : std::nullopt;
 }
 
 /// Where the ray meets the polygon, if within `range`.
@@ -44,6 +35,7 @@ std::optional<View::Hit> hit_of(const Segment& s, const Vector3d& from, const Ve
 
 std::optional<View::Hit> first_hit(const Complex& complex, const Vector3d& from, const Vector3d& axis,
                                    double range, const Which& which, double rounding) {
+  const SpatialIndex::Ray ray{from, axis};
   std::optional<View::Hit> best;
   const auto look = [&](const Segment& s) {
     const auto hit = hit_of(s, from, axis, range);
@@ -56,12 +48,12 @@ std::optional<View::Hit> first_hit(const Complex& complex, const Vector3d& from,
     return best;
   }
   if (!which.polygons && !which.initial) return best;
-  complex.polygons().walk(from, axis, range, 2 * rounding, [&](std::uint32_t slot, double begin, double end) {
+  complex.polygons().walk(ray, range, 2 * rounding, [&](std::uint32_t slot, double begin, double end) {
     const Segment& s = complex.at(slot);
     if (!is_asked(which, s)) return range;
     // A segment comes up in every piece of the ray near it; it is tested in the piece where the ray enters
     // its box.
-    const auto enters = entry(s.polygon->box, from, axis, room_around(complex, rounding));
+    const auto enters = entry(grown(s.polygon->box, room_around(complex, rounding)), ray);
     if (enters && *enters >= begin && *enters < end && *enters <= range) look(s);
     return range;
   });

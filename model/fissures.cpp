@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // Step 3 of the update: filling fissures in the perimeters of modified polygons (thesis §2.5).
-#include <algorithm>
+#include <utility>
 
 #include <limpet/geometry/fissure.hpp>
 
@@ -26,7 +26,7 @@ bool fill(Complex& complex, Agenda& agenda, const Segment& s) {
 
 bool fill_modified(Complex& complex, Agenda& agenda) {
   bool any = false;
-  for (std::size_t i = 0; i < agenda.modified().size(); ++i)  // it may grow
+  for (std::size_t i = 0; i < agenda.modified().size(); ++i)  // by index: marking more would be safe
     if (const Segment* s = complex.in_slot(agenda.modified()[i]); s && s->polygon && !s->initial())
       any |= fill(complex, agenda, *s);
   return any;

@@ -2,21 +2,11 @@
 #include "insertion_internal.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 #include "heights_internal.hpp"
 #include "merging_internal.hpp"
 
 namespace limpet::model::internal {
-
-void release_points(Complex& complex, PendingPoints& pending, const Segment& s, bool count_return) {
-  assert(static_cast<std::int64_t>(s.data.raw().size()) == s.count());
-  for (RawPoint raw : s.data.raw()) {
-    raw.returned += count_return;
-    pending.push_back(raw);
-  }
-  complex.remove(s);
-}
 
 /// Nearest first, ties by identity. Without the rule `best`, by identity alone.
 void Insertion::order(Candidates& candidates) const {
@@ -48,7 +38,7 @@ void Insertion::order_by_heights(const Eigen::Vector3d& p, Candidates& polygons)
 
 /// Lists the point segments within λ of s and, unless they have been tried, the polygons that it fits.
 void Insertion::find_neighbours(const Segment& s, bool polygons_tried) {
-  Candidates &polygons = near_polygons_, &points = near_points_;
+  Candidates &polygons = near_, &points = near_points_;
   polygons.clear(), points.clear();
   const Eigen::Vector3d centroid = s.fit.centroid;
   complex_.points().query(centroid, found_);
@@ -79,7 +69,7 @@ void Insertion::settle(const Segment* s, bool polygons_tried) {
   for (;;) {
     find_neighbours(*s, polygons_tried);
     const Segment* next = nullptr;
-    for (const Candidate& c : near_polygons_) {
+    for (const Candidate& c : near_) {
       if (c.segment->polygon) {
         if (merge_segment_into_polygon(complex_, agenda_, *c.segment, *s, c.standing)) return;
         continue;

@@ -1,21 +1,14 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
-#include <deque>
 #include <vector>
 
 #include "complex_internal.hpp"
 #include "labels_internal.hpp"
+#include "pending_points_internal.hpp"
 #include "standing_internal.hpp"
 
 namespace limpet::model::internal {
-
-/// Sensor points that are to be inserted, for the first time or again.
-using PendingPoints = std::deque<RawPoint>;
-
-/// Deletes a young segment; its points are pending again. `count_return`: it counts towards their
-/// kMaxReturns.
-void release_points(Complex&, PendingPoints&, const Segment& young, bool count_return);
 
 /// Inserts sensor points into segments (thesis §2.3, steps 1 and 2a for points). Owns the pending points, and
 /// buffers that are reused for every point.
@@ -52,7 +45,7 @@ class Insertion {
   Agenda& agenda_;
   Labels& labels_;
   PendingPoints pending_;
-  Candidates candidates_, near_polygons_, near_points_;
+  Candidates candidates_, near_, near_points_;
   std::vector<std::uint32_t> found_;
 };
 

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "complex_internal.hpp"

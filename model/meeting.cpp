@@ -5,7 +5,7 @@
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/geometry/search.hpp>
 
-#include "merging_internal.hpp"
+#include "meeting_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {

@@ -10,15 +10,11 @@
 namespace limpet::model::internal {
 namespace {
 
-/// The conditions on the merged data: the normal faces outside; the variance (thesis, and where the fit could
-/// not be published); and the initial plane while the polygon is young (later, the fit moves too little
-/// between two refits).
+/// The conditions on the merged moments: the variance (thesis, and where the fit could not be published); and
+/// the initial plane while the polygon is young (later, the fit moves too little between two refits).
 template <class Data>  // Moments, or a single GridPoint
-bool merged_fit_accepted(const Setting& setting, const Segment& polygon, const Data& added,
-                         const Eigen::Vector3d& axis) {
-  if (!faces_outside(polygon.polygon->outward, polygon.data.axis_sum() + axis)) return false;
+bool merged_moments_accepted(const Setting& setting, const Segment& polygon, const Data& added) {
   const bool check_variance = !setting.rules().residual;
-  if (!check_variance && !polygon.young() && !polygon.polygon->stale) return true;
   Moments merged = polygon.data.moments();
   merged.add(added);
   if (!variance_allowed(setting, *polygon.polygon, merged)) return false;
@@ -26,6 +22,16 @@ bool merged_fit_accepted(const Setting& setting, const Segment& polygon, const D
   const Fit fit = fit_to(merged, setting.step, -polygon.fit.normal);
   if (check_variance && fit.u3 >= setting.lambda2) return false;
   return !differs_from_initial(setting, *polygon.polygon, fit);
+}
+
+/// May the polygon's plane be that of the merged data, too? The normal still faces outside; and where moments
+/// are asked, they are accepted. Of most points they are not.
+template <class Data>
+inline bool merged_fit_accepted(const Setting& setting, const Segment& polygon, const Data& added,
+                                const Eigen::Vector3d& axis) {
+  if (!faces_outside(polygon.polygon->outward, polygon.data.axis_sum() + axis)) return false;
+  const bool settled = setting.rules().residual && !polygon.young() && !polygon.polygon->stale;
+  return settled || merged_moments_accepted(setting, polygon, added);
 }
 
 /// Does the perimeter grow by the projected point? Not if that is inside, or so near that it adds nothing.
@@ -48,7 +54,7 @@ bool extend_perimeter(Complex& complex, const Segment& polygon, const Standing& 
   return extension != geometry::Extension::refused;
 }
 
-void joined(Complex& complex, Agenda& agenda, const Segment& polygon) {
+inline void joined(Complex& complex, Agenda& agenda, const Segment& polygon) {
   agenda.mark_modified(polygon.slot);
   refit_if_due(complex, agenda, polygon);
 }

@@ -8,6 +8,7 @@
 #include <limpet/geometry/predicates.hpp>
 
 #include "heights_internal.hpp"
+#include "meeting_internal.hpp"
 #include "merging_internal.hpp"
 #include "publish_internal.hpp"
 #include "series_internal.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "complex_internal.hpp"
-#include "insertion_internal.hpp"
+#include "pending_points_internal.hpp"
 #include "standing_internal.hpp"
 
 /// Merging segments (thesis §2.4). Where a merger is refused, the segments are unchanged, unless said
@@ -29,12 +29,5 @@ bool merge_segment_into_polygon(Complex&, Agenda&, const Segment& polygon, const
 bool merge_polygon_segments(Complex&, Agenda&, const Segment& changed, const Segment& other);
 /// Step 2a for polygons. Returns whether any merged.
 bool merge_modified_polygons(Complex&, Agenda&);
-
-/// May `other` be within λ of `s`, inside it or around it, where s has changed? Never false when a merger
-/// could succeed there.
-bool may_meet_where_changed(const Setting&, const Segment& s, const DirtyRegion& changed,
-                            const Segment& other);
-/// Is p within λ of the polygon?
-bool lies_near(const Setting&, const PolygonPart&, const Eigen::Vector3d& p);
 
 }  // namespace limpet::model::internal

@@ -113,8 +113,8 @@ class Model {
 
   /// The segment that this one has become part of by mergers, or this one itself; none when it was dissolved,
   /// redundant or an outlier. Of merged point segments and redundant polygons this is known until the next
-  /// call that changes the model; of other polygons, as long as the result exists (some tens of bytes for
-  /// each one that ever merged).
+  /// call that changes the model, and not after from_state(); of other polygons, as long as the result exists
+  /// (some tens of bytes for each one that ever merged).
   SegmentId now(SegmentId) const;
 
   /// Which open edges finish() would close if it were called now, and why it would leave others open. It is

@@ -7,6 +7,7 @@
 
 #include "lifted_internal.hpp"
 #include "nearest_internal.hpp"
+#include "piece_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -14,18 +15,6 @@ namespace {
 using Eigen::Vector3d;
 using geometry::Point2;
 using geometry::Slot;
-
-/// A line segment between two points.
-struct Piece {
-  Vector3d a, b;
-  Vector3d at(double t) const { return t == 1 ? b : Vector3d(a + t * (b - a)); }
-  /// The parameter, from 0 at a to 1 at b, of the point nearest to p.
-  double nearest(const Vector3d& p) const {
-    const Vector3d along = b - a;
-    const double length2 = along.dot(along);
-    return length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-  }
-};
 
 /// A point on each of two pieces, as parameters from 0 to 1, and their squared distance.
 struct Places2 {

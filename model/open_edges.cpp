@@ -10,7 +10,7 @@
 #include <unordered_map>
 
 #include "corners_internal.hpp"
-#include "merging_internal.hpp"
+#include "meeting_internal.hpp"
 #include "section_search_internal.hpp"
 
 namespace limpet::model::internal {

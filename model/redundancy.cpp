@@ -4,6 +4,7 @@
 // no edge to share. Their data goes to segments that it fits.
 #include <algorithm>
 
+#include "meeting_internal.hpp"
 #include "merging_internal.hpp"
 #include "redundancy_internal.hpp"
 
@@ -69,7 +70,6 @@ std::pair<const Segment*, Standing> best_for(const Complex& complex, const Segme
 /// Deletes the segment. Its data goes to a polygon that it fits as a whole; else the points that it keeps go,
 /// one by one, to polygons that they fit. Returns how many points are given up.
 std::int64_t delete_segment(Complex& complex, Agenda& agenda, Labels& labels, const Segment& s) {
-  complex.dissolve_all_neighbours(s);
   if (s.count() > 0)
     if (const auto [other, st] =
             best_for(complex, &s, s.fit.centroid, s.data.axis_sum(), s.data.moments(), s.data.variance());

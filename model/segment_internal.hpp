@@ -20,12 +20,12 @@ namespace limpet::model::internal {
 /// What a planar polygon segment has in addition to a point segment. In the world, it is the perimeter lifted
 /// from the chart onto the published plane.
 struct PolygonPart {
+  Box3 box;  ///< of the perimeter in the world: first, since most questions end with it
   geometry::Chart chart;
   geometry::Polygon perimeter;
   geometry::Lift published;                           ///< published plane, to which the perimeter is lifted
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();  ///< unit normal of the published plane
   geometry::Plane initial;                            ///< initial plane of thesis §2.4.1
-  Box3 box;                                           ///< of the perimeter in the world
   HeightMap heights;                                  ///< of its points (rule `relief`); empty while young
   bool stale = false;                    ///< the plane of the fit has moved, but could not be published
   double counted_area = 0;               ///< the part of Complex::modelled_area() that is its own, λ²
@@ -43,9 +43,9 @@ struct alignas(64) Segment {
   Owned<PolygonPart> polygon;  ///< none: a point segment
   SegmentId id;
   std::uint32_t slot = 0;
-  SegmentData data;
   std::int64_t next_fit = 0;  ///< number of points at which the plane is fitted anew
-  Box3 indexed;               ///< its box in the spatial index; empty: it is in none
+  SegmentData data;
+  Box3 indexed;  ///< its box in the spatial index; empty: it is in none
   bool indexed_as_polygon = false;
 
   std::int64_t count() const { return data.count(); }

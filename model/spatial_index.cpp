@@ -88,13 +88,6 @@ void SpatialIndex::Grid::remove(const Entry& entry) {
   --size_;
 }
 
-void SpatialIndex::Grid::query(const Box3& box, std::vector<std::uint32_t>& found) const {
-  any_of(box, [&](std::uint32_t slot) {
-    found.push_back(slot);
-    return false;
-  });
-}
-
 void SpatialIndex::Grid::query(const Eigen::Vector3d& p, std::vector<std::uint32_t>& found) const {
   const Cell* cell = find(index_of(p));
   if (!cell) return;
@@ -124,8 +117,10 @@ void SpatialIndex::remove(const Box3& box, std::uint32_t slot) { levels_[level_o
 
 void SpatialIndex::query(const Box3& box, std::vector<std::uint32_t>& found) const {
   found.clear();
-  for (const Grid& grid : levels_)
-    if (grid.size() > 0) grid.query(box, found);
+  any_of(box, [&](std::uint32_t slot) {
+    found.push_back(slot);
+    return false;
+  });
 }
 
 void SpatialIndex::query(const Eigen::Vector3d& point, std::vector<std::uint32_t>& found) const {

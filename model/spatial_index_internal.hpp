@@ -42,8 +42,15 @@ class SpatialIndex {
   template <class F>
   bool any_of(const Box3& box, F&& f) const {
     return std::any_of(levels_.begin(), levels_.end(),
-                       [&](const Grid& grid) { return grid.size() > 0 && grid.any_of_clipped(box, f); });
+                       [&](const Grid& grid) { return grid.size() > 0 && grid.any_of(box, f); });
   }
+
+  struct Ray {
+    Eigen::Vector3d from, axis;
+    Eigen::Vector3d at(double t) const { return from + t * axis; }
+    /// The interval of t in which the ray is inside the box; first > second: it is nowhere inside.
+    std::pair<double, double> within(const Box3&) const;
+  };
 
   /// Walks along the ray from + t·axis, 0 ≤ t ≤ range, level by level, in pieces about one cell long: calls
   /// f(slot, begin, end) for the boxes within `slack` of the piece from t = begin to end, and perhaps for
@@ -52,19 +59,12 @@ class SpatialIndex {
   /// Allocates nothing. Precondition: `axis` is a unit vector; `slack` covers the rounding of coordinates
   /// along the ray.
   template <class F>
-  void walk(const Eigen::Vector3d& from, const Eigen::Vector3d& axis, double range, double slack,
-            F&& f) const {
+  void walk(const Ray& ray, double range, double slack, F&& f) const {
     for (const Grid& grid : levels_)
-      if (grid.size() > 0) range = grid.walk({from, axis}, range, slack, f);
+      if (grid.size() > 0) range = grid.walk(ray, range, slack, f);
   }
 
  private:
-  struct Ray {
-    Eigen::Vector3d from, axis;
-    Eigen::Vector3d at(double t) const { return from + t * axis; }
-    /// The interval of t in which the ray is inside the box; first > second: it is nowhere inside.
-    std::pair<double, double> within(const Box3&) const;
-  };
   struct Entry {
     Box3 box;
     std::uint32_t slot = 0;
@@ -156,13 +156,12 @@ class SpatialIndex {
     double width() const { return width_; }
     void insert(const Entry&);
     void remove(const Entry&);
-    void query(const Box3&, std::vector<std::uint32_t>& found) const;
     void query(const Eigen::Vector3d&, std::vector<std::uint32_t>& found) const;
     std::size_t size() const { return size_; }
     const Box3& bounds() const { return bounds_; }
 
     template <class F>
-    bool any_of_clipped(const Box3& asked, F&& f) const;
+    bool any_of(const Box3& asked, F&& f) const;
     template <class F>
     double walk(const Ray& ray, double range, double slack, F&& f) const;
 
@@ -171,10 +170,6 @@ class SpatialIndex {
       std::uint64_t key = 0;
       std::uint32_t cell = 0;  ///< one more than the index in cells_; 0: the place is free
     };
-    /// Precondition: within 2⁶² smallest widths of the origin.
-    template <class F>
-    bool any_of(const Box3& box, F&& f) const;
-
     std::int64_t index(double x) const {  // rounded down
       const double cells = x * per_width_;
       const auto i = static_cast<std::int64_t>(cells);
@@ -211,38 +206,15 @@ class SpatialIndex {
 };
 
 template <class F>
-bool SpatialIndex::Grid::any_of(const Box3& box, F&& f) const {
-  const Range range = range_of(box);
+bool SpatialIndex::Grid::any_of(const Box3& asked, F&& f) const {
+  const Box3 box = asked.intersection(bounds_);
+  if (box.isEmpty()) return false;
   // An entry may be in several cells; it is reported only in the cell of the lowest corner of its part within
   // the box.
-  if (range.count() <= static_cast<double>(cells_.size()))
-    return range.any_of([&](const Index& at) {
-      const Cell* cell = find(at);
-      return cell && std::any_of(cell->begin(), cell->end(), [&](const Entry& e) {
-               return e.box.intersects(box) && index_of(e.box.min().cwiseMax(box.min())) == at && f(e.slot);
-             });
-    });
-  for (const Place& place : places_) {
-    if (place.cell == 0) continue;
-    for (const Entry& e : cells_[place.cell - 1])
-      if (e.box.intersects(box) && key_of(index_of(e.box.min().cwiseMax(box.min()))) == place.key &&
-          f(e.slot))
-        return true;
-  }
-  return false;
-}
-
-template <class F>
-bool SpatialIndex::Grid::any_of_clipped(const Box3& asked, F&& f) const {
-  const Box3 box = asked.intersection(bounds_);
-  const auto meet = [](const Box3& a, const Box3& b) {
-    return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();
-  };
-  if (box.isEmpty()) return false;
   const auto look = [&](const Index& at) {
     const Cell* cell = find(at);
     return cell && std::any_of(cell->begin(), cell->end(), [&](const Entry& e) {
-             return meet(e.box, box) && same(index_of(e.box.min().cwiseMax(box.min())), at) && f(e.slot);
+             return e.box.intersects(box) && same(index_of(e.box.min().cwiseMax(box.min())), at) && f(e.slot);
            });
   };
   // Of so few cells it costs no more to try them all.
@@ -296,7 +268,7 @@ double SpatialIndex::Grid::walk(const Ray& ray, double range, double slack, F&& 
   if (!(start <= stop)) return range;
   const auto look = [&](double from, double to, double begin, double end) {
     const Eigen::Vector3d a = ray.at(from), b = ray.at(to);
-    any_of_clipped(Box3(a.cwiseMin(b) - margin, a.cwiseMax(b) + margin), [&](std::uint32_t slot) {
+    any_of(Box3(a.cwiseMin(b) - margin, a.cwiseMax(b) + margin), [&](std::uint32_t slot) {
       range = f(slot, begin, end);
       return false;
     });

@@ -60,13 +60,15 @@ void describe_dues(Archive& archive, const Complex& complex, AnyAgenda& agenda) 
 
 }  // namespace
 
-std::string to_state(const Engine& e) {
+std::string to_state(const Engine& e, bool with_labels) {
   Writer writer;
   writer.append(head());
   writer(e.setting.parameters, e, e.insertion.pending());
   describe_dues(writer, e.complex, e.agenda);
-  writer(ages_that_matter(e), refusals_that_matter(e), Storage::partners(e.complex), e.labels.kept(),
-         e.labels.settled(e.complex.segments()), Storage::successors(e.successors));
+  const bool labels = with_labels && e.labels.kept();
+  writer(ages_that_matter(e), refusals_that_matter(e), Storage::partners(e.complex), labels,
+         labels ? e.labels.settled(e.complex.segments()) : std::vector<std::uint64_t>(),
+         Storage::successors(e.successors));
   writer(digest_of(writer.bytes()));
   return std::move(writer.bytes());
 }

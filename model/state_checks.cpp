@@ -2,7 +2,6 @@
 //
 // Checks that an engine read from bytes can be used safely. Its perimeters have been judged already
 // (geometry/polygon_state.cpp).
-#include <algorithm>
 #include <cmath>
 
 #include "archive_internal.hpp"
@@ -70,7 +69,8 @@ void require_moments(const Moments& moments) {
 
 void require_raw_point(const Engine& e, const RawPoint& raw) {
   for (const std::int64_t x : raw.at) require(std::abs(x) <= kMaxSteps, "has a point too far away");
-  require(raw.serial < static_cast<std::int64_t>(e.labels.size()), "has a point without a label");
+  require(!e.labels.kept() || raw.serial < static_cast<std::int64_t>(e.labels.size()),
+          "has a point without a label");
   require(raw.returned >= 0 && raw.since <= e.complex.now(), "has a point with a past of its own");
 }
 

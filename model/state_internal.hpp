@@ -9,8 +9,8 @@
 
 namespace limpet::model::internal {
 
-/// Everything that outlasts a call, as bytes: see Model::state().
-std::string to_state(const Engine&);
+/// Everything that outlasts a call, as bytes: see Model::state(). Without labels: as if none had been kept.
+std::string to_state(const Engine&, bool with_labels = true);
 
 /// What to_state() wrote.
 class StoredState {

@@ -37,8 +37,12 @@ void Storage::list_segments(Complex& complex, void (*refuse)(const char* what)) 
     s->slot = slot;
     if (!table.slot_of_.emplace(s->id.value, slot).second) refuse("has two segments of one identity");
     if (!s->polygon) continue;
-    for_each_edge(s->polygon->perimeter, [&](geometry::Slot vertex) {
-      if (complex.edges_.put(s->polygon->perimeter.node(vertex).edge, slot, vertex) != EdgeTable::kNowhere)
+    geometry::Polygon& perimeter = s->polygon->perimeter;
+    // Between two calls every difference is booked; what is left would be booked with the next one.
+    if (!perimeter.take_removed().empty() || !perimeter.take_created().empty())
+      refuse("has a perimeter that was changed and not booked");
+    for_each_edge(perimeter, [&](geometry::Slot vertex) {
+      if (complex.edges_.put(perimeter.node(vertex).edge, slot, vertex) != EdgeTable::kNowhere)
         refuse("has an edge with another's identity");
     });
   }

@@ -154,6 +154,7 @@ void end_call(Engine& e) {
   e.labels.tidy(e.complex.segments());
   e.successors.follow(e.complex.changes());
   e.complex.settle_surfaces();
+  e.clock.lap(&StageTimes::rest);
 }
 
 }  // namespace
@@ -184,7 +185,6 @@ void update_set(Engine& e, std::span<const SensorPoint> set) {
     expire_outliers(e);
   }
   end_call(e);
-  e.clock.lap(&StageTimes::rest);
   ++e.counts.sets;
 }
 

@@ -2,6 +2,7 @@
 #include <limpet/model/view.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 
@@ -130,7 +131,7 @@ AroundLink around(const Complex& complex, const Capsule& link, double reach) {
 
 /// Calls f(slot) for the edges of a perimeter, cycle by cycle, the outer one first.
 template <class F>
-void for_each_edge(const geometry::Polygon& perimeter, F&& f) {
+void for_each_edge_by_cycle(const geometry::Polygon& perimeter, F&& f) {
   for (const bool holes : {false, true})
     for (const auto& cycle : perimeter.cycles()) {
       if (cycle.hole != holes) continue;
@@ -156,7 +157,7 @@ View::Edge edge_at(const internal::Segment& segment, geometry::Slot s, geometry:
 
 void add_open_edges(const internal::Segment& segment, std::vector<View::Edge>& result) {
   const auto& perimeter = segment.polygon->perimeter;
-  for_each_edge(perimeter, [&](geometry::Slot s) {
+  for_each_edge_by_cycle(perimeter, [&](geometry::Slot s) {
     if (!perimeter.node(s).shared) result.push_back(edge_at(segment, s, {}));
   });
 }
@@ -208,7 +209,7 @@ void View::edges(SegmentId id, std::vector<Edge>& result) const {
   const internal::Segment* s = complex_->find(id);
   if (!s || !s->polygon) return;
   const auto& perimeter = s->polygon->perimeter;
-  for_each_edge(perimeter, [&](geometry::Slot slot) {
+  for_each_edge_by_cycle(perimeter, [&](geometry::Slot slot) {
     result.push_back(edge_at(*s, slot, complex_->edges().at(perimeter.node(slot).edge).partner));
   });
 }

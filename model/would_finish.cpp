@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "open_edges_internal.hpp"
+#include "piece_internal.hpp"
 #include "state_internal.hpp"
 
 namespace limpet::model::internal {
@@ -17,19 +18,12 @@ namespace {
 using geometry::EdgeId;
 using geometry::Slot;
 
-struct Stretch {
-  Eigen::Vector3d from, to;
-
-  double squared_distance(const Eigen::Vector3d& p) const {
-    const Eigen::Vector3d d = to - from;
-    const double length2 = d.dot(d);
-    const double t = length2 > 0 ? std::clamp(d.dot(p - from) / length2, 0.0, 1.0) : 0;
-    return (from + t * d - p).squaredNorm();
-  }
-};
-
-Stretch stretch_of(const PolygonPart& part, Slot edge) {
+Piece piece_of(const PolygonPart& part, Slot edge) {
   return {part.position(edge), part.position(part.perimeter.next(edge))};
+}
+
+double squared_distance(const Piece& piece, const Eigen::Vector3d& p) {
+  return (piece.at(piece.nearest(p)) - p).squaredNorm();
 }
 
 /// The edges of a finished model, by place.
@@ -40,10 +34,10 @@ class Finished {
     complex.segments().for_each([&](const Segment& s) {
       if (!s.polygon) return;
       for_each_edge(s.polygon->perimeter, [&](Slot slot) {
-        const Stretch stretch = stretch_of(*s.polygon, slot);
-        Box3 box(stretch.from);
-        index_.insert(box.extend(stretch.to), static_cast<std::uint32_t>(edges_.size()));
-        edges_.push_back({s.id, s.polygon->perimeter.node(slot).edge, stretch});
+        const Piece piece = piece_of(*s.polygon, slot);
+        Box3 box(piece.a);
+        index_.insert(box.extend(piece.b), static_cast<std::uint32_t>(edges_.size()));
+        edges_.push_back({s.id, s.polygon->perimeter.node(slot).edge, piece});
       });
     });
   }
@@ -55,7 +49,7 @@ class Finished {
     std::pair<double, EdgeId> best{lambda_ * lambda_, {}};
     for (const std::uint32_t i : found)
       if (!on || edges_[i].segment == on)
-        best = std::min(best, std::pair(edges_[i].stretch.squared_distance(p), edges_[i].edge));
+        best = std::min(best, std::pair(squared_distance(edges_[i].piece, p), edges_[i].edge));
     return best.second ? std::optional(best.second) : std::nullopt;
   }
 
@@ -63,7 +57,7 @@ class Finished {
   struct Edge {
     SegmentId segment;
     EdgeId edge;
-    Stretch stretch;
+    Piece piece;
   };
   std::vector<Edge> edges_;
   SpatialIndex index_;
@@ -73,7 +67,7 @@ class Finished {
 }  // namespace
 
 Outcome would_finish(const Engine& e) {
-  const std::string bytes = to_state(e);
+  const std::string bytes = to_state(e, false);
   const StoredState stored(bytes);
   Engine copy(stored.parameters());
   stored.restore(copy);
@@ -95,8 +89,8 @@ Outcome would_finish(const Engine& e) {
       if (node.shared) return;
       std::optional<EdgeId> stands_for = node.edge;
       if (!copy.complex.edges().find(node.edge)) {
-        const Stretch stretch = stretch_of(*s.polygon, slot);
-        stands_for = finished.nearest((stretch.from + stretch.to) / 2, now);
+        const Piece piece = piece_of(*s.polygon, slot);
+        stands_for = finished.nearest((piece.a + piece.b) / 2, now);
       }
       Outcome::Edge edge{s.id, node.edge, !stands_for || copy.complex.edges().shared(*stands_for), {}, {}};
       if (!edge.closes)

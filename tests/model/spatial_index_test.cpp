@@ -44,7 +44,7 @@ std::string missed_by_walk(Random& random, const SpatialIndex& index, const Stor
   axis.normalize();
   const double range = random.below(3) ? scale * random.uniform(0, 40) : 1e300;
   std::vector<std::array<double, 3>> pieces;
-  index.walk(from, axis, range, 1e-6 * scale, [&](std::uint32_t slot, double begin, double end) {
+  index.walk({from, axis}, range, 1e-6 * scale, [&](std::uint32_t slot, double begin, double end) {
     pieces.push_back({static_cast<double>(slot), begin, end});
     return range;
   });
