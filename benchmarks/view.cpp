@@ -1,5 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -17,6 +19,7 @@ using model::View;
 using survey::Random;
 
 constexpr std::size_t kQuestions = 10'000;
+constexpr std::int64_t kUpdatePoints = 200'000;
 constexpr int kRounds = 3;
 
 /// A place to ask about, and a direction.
@@ -32,17 +35,22 @@ Vector3d any_direction(Random& random) {
 }
 
 /// Where a follower is: up to 8 λ off the true surface, evenly over it, on a route that goes to and fro in
-/// stripes, as what moves through a scene does: one question is near the last.
+/// stripes 10 λ wide, with about λ of way from one question to the next, as what moves through a scene does.
 std::vector<Place> places_near(const ScanCase& scan_case) {
   Random random(1);
+  const double lambda = scan_case.resolution, stripe_width = 10 * lambda;
+  double area = 0;
+  for (const auto& face : simulation::faces_of(scan_case.scene.mesh)) area += face.area;
   simulation::ScanOptions options;
-  options.points = kQuestions, options.order = simulation::ScanOptions::Order::sampled, options.seed = 2;
+  options.points =
+      std::max<std::int64_t>(kQuestions, static_cast<std::int64_t>(area / (stripe_width * lambda)));
+  options.order = simulation::ScanOptions::Order::sampled, options.seed = 2;
   std::vector<Place> places;
   simulation::scan(scan_case.scene.mesh, options, [&](const simulation::LabelledPoint& p) {
-    const double off = random.uniform(0, 8 * scan_case.resolution);
+    const double off = random.uniform(0, 8 * lambda);
     places.push_back({p.point.position - off * p.point.axis, any_direction(random)});
   });
-  const auto stripe = [&](const Place& p) { return std::floor(p.at.x() / (10 * scan_case.resolution)); };
+  const auto stripe = [&](const Place& p) { return std::floor(p.at.x() / stripe_width); };
   std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
     if (stripe(a) != stripe(b)) return stripe(a) < stripe(b);
     return std::fmod(stripe(a), 2) == 0 ? a.at.y() < b.at.y() : a.at.y() > b.at.y();
@@ -148,6 +156,35 @@ void ask_about_identities(const View& view, Json& answer) {
   answer.back()["found"] = found.some;
 }
 
+/// The time that updates take when a reader asks for each point of the last set what is nearest, over the
+/// time they take without. Two models get the same sets, one after the other, in turns; the questions are not
+/// timed.
+double update_ratio(const ScanCase& scan_case) {
+  model::Model read(scan_case.parameters()), alone(scan_case.parameters());
+  const double reach = 10 * scan_case.resolution;
+  std::vector<model::SensorPoint> set;
+  std::array<double, 2> seconds{};
+  std::int64_t points = 0;
+  bool first = false;
+  Found found;
+  const auto update = [&](bool with_reader) {
+    const auto start = std::chrono::steady_clock::now();
+    (with_reader ? read : alone).update(set);
+    seconds[with_reader] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  scan_case.scan([&](const simulation::LabelledPoint& p) {
+    set.push_back(p.point);
+    if (set.size() < kSet) return;
+    if (points >= kUpdatePoints) return set.clear();
+    first = !first;
+    update(first), update(!first);
+    for (const auto& q : set) found.count(read.view().nearest(q.position, reach).has_value());
+    points += static_cast<std::int64_t>(set.size());
+    set.clear();
+  });
+  return found.some > 0 ? seconds[1] / seconds[0] : 0;
+}
+
 }  // namespace
 
 Json answer_view(const Json& request) {
@@ -172,6 +209,7 @@ Json answer_view(const Json& request) {
   return {{"polygons", counts.polygons},
           {"points", counts.point_segments},
           {"edges", counts.edges},
+          {"update_ratio", update_ratio(scan_case)},
           {"questions", questions}};
 }
 
@@ -186,6 +224,7 @@ Table measure_view(const ViewOptions& options, const Limits& limits) {
                {"median_us", 3},
                {"q99_us", 3},
                {"worst_us", 3},
+               {"update_with_readers", 3},
                {"note"}});
   for (const int boxes : options.boxes)
     for (const bool finish : {false, true}) {
@@ -196,7 +235,7 @@ Table measure_view(const ViewOptions& options, const Limits& limits) {
       const Json answer =
           ask_process({{"what", "view"}, {"spec", spec}, {"finish", finish}}, limits.own_seconds);
       if (answer.contains("failed")) {
-        table.add({shape, finish, {}, {}, {}, {}, {}, {}, {}, {}, answer["failed"]});
+        table.add({shape, finish, {}, {}, {}, {}, {}, {}, {}, {}, {}, answer["failed"]});
         continue;
       }
       for (const Json& q : answer["questions"])
@@ -210,6 +249,7 @@ Table measure_view(const ViewOptions& options, const Limits& limits) {
                    q["median"],
                    q["q99"],
                    q["worst"],
+                   answer["update_ratio"],
                    {}});
     }
   return table;

@@ -1,5 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <limpet/model/fit_internal.hpp>
+#include "fit_internal.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

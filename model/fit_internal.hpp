@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include <limpet/geometry/chart.hpp>
-#include <limpet/model/moments_internal.hpp>
+#include "moments_internal.hpp"
 
 namespace limpet::model {
 

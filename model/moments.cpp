@@ -1,5 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <limpet/model/moments_internal.hpp>
+#include "moments_internal.hpp"
 
 namespace limpet::model {
 

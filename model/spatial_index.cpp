@@ -1,5 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <limpet/model/spatial_index_internal.hpp>
+#include "spatial_index_internal.hpp"
 
 #include <algorithm>
 
