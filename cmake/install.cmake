@@ -11,7 +11,7 @@ foreach(folder ${folders})
 endforeach()
 set_target_properties(limpet_geometry_exact PROPERTIES EXPORT_NAME geometry)
 
-foreach(folder audit geometry model io survey simulation evaluation drawing)
+foreach(folder audit geometry model io survey kinematics following simulation evaluation drawing)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/limpet/${folder}
     FILES_MATCHING PATTERN "*.hpp" PATTERN "*_internal.hpp" EXCLUDE)
 endforeach()

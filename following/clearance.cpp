@@ -1,0 +1,57 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/following/clearance.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpet::following {
+namespace {
+
+using Eigen::Vector3d;
+
+double squared_distance_to_way(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+  const Vector3d along = b - a;
+  const double length2 = along.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return (a + t * along - p).squaredNorm();
+}
+
+}  // namespace
+
+void Clearance::remember(std::span<const model::SensorPoint> readings) {
+  for (const model::SensorPoint& reading : readings) {
+    if (recent_.size() < kRecent)
+      recent_.push_back(reading.position);
+    else
+      recent_[next_] = reading.position;
+    next_ = (next_ + 1) % kRecent;
+  }
+}
+
+double Clearance::at(const model::View& view, const Vector3d& place, double reach) const {
+  return along(view, place, place, reach);
+}
+
+double Clearance::along(const model::View& view, const Vector3d& a, const Vector3d& b, double reach) const {
+  double least2 = reach * reach;
+  for (const Vector3d& p : recent_) least2 = std::min(least2, squared_distance_to_way(p, a, b));
+  const double least = std::sqrt(least2);
+  const auto found = view.nearest(model::Capsule{a, b, 0}, least);
+  return found ? std::min(found->distance, least) : least;
+}
+
+bool Clearance::is_clear(const model::View& view, const Vector3d& from, const Vector3d& to) const {
+  if (along(view, from, to, least_) >= least_) return true;
+  // From too near, every step must lead away: the way's nearest place is its start.
+  const double start = at(view, from, least_);
+  return start < least_ && along(view, from, to, least_) >= start && at(view, to, least_) > start;
+}
+
+Vector3d Clearance::shortened(const model::View& view, const Vector3d& from, Vector3d motion) const {
+  constexpr int kHalvings = 6;
+  for (int i = 0; i <= kHalvings; ++i, motion /= 2)
+    if (is_clear(view, from, from + motion)) return motion;
+  return Vector3d::Zero();
+}
+
+}  // namespace limpet::following

@@ -1,0 +1,43 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include <limpet/model/sensor_point.hpp>
+#include <limpet/model/view.hpp>
+
+namespace limpet::following {
+
+/// Keeps the control point off the surface: off the model, and off recent raw readings, which the model may
+/// smooth away or not have joined to a polygon yet.
+class Clearance {
+ public:
+  /// `least`: the distance to be kept, > 0.
+  explicit Clearance(double least) : least_(least) {}
+
+  double least() const { return least_; }
+
+  /// Remembers a set of readings as obstacles; the oldest are forgotten.
+  void remember(std::span<const model::SensorPoint> readings);
+
+  /// Distance from a place to the nearest obstacle, or `reach` when there is none that near.
+  double at(const model::View&, const Eigen::Vector3d& place, double reach) const;
+  /// The same for the whole way from a to b.
+  double along(const model::View&, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double reach) const;
+  /// Does the straight way keep the distance, or come no nearer to anything than its start, if this is
+  /// nearer?
+  bool is_clear(const model::View&, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+  /// The longest of motion, motion/2, motion/4, … that is clear from this place; zero when none is.
+  Eigen::Vector3d shortened(const model::View&, const Eigen::Vector3d& from, Eigen::Vector3d motion) const;
+
+ private:
+  static constexpr std::size_t kRecent = 2048;  ///< readings, some 80 sets of 26
+
+  double least_;
+  std::vector<Eigen::Vector3d> recent_;  ///< a ring
+  std::size_t next_ = 0;
+};
+
+}  // namespace limpet::following

@@ -1,0 +1,73 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/following/follower.hpp>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace limpet::following {
+namespace {
+
+using Eigen::Vector3d;
+
+Parameters sound(const Parameters& parameters) {
+  require_sound(parameters);
+  return parameters;
+}
+
+void require(bool good, const char* what) {
+  if (!good) throw std::invalid_argument(what);
+}
+
+/// The motion of the control point that the robot can make in one step.
+Vector3d within_ceilings(const kinematics::Posture& posture, const Vector3d& motion) {
+  return posture.jacobian() * kinematics::actuator_changes(posture, motion);
+}
+
+}  // namespace
+
+Parameters usual_parameters(double resolution) {
+  Parameters p;
+  p.resolution = resolution;
+  p.follow_distance = p.max_step = 2 * resolution;
+  p.stray_limit = p.sensing_range = 4 * resolution;
+  return p;
+}
+
+void require_sound(const Parameters& p) {
+  require(p.resolution > 0, "the resolution λ must be positive");
+  require(p.follow_distance > p.resolution, "the follow distance δ must exceed the resolution λ");
+  require(p.follow_distance < p.sensing_range, "the follow distance δ must be below the sensing range");
+  require(p.max_step > 0 && p.max_step < p.sensing_range,
+          "the step σ_max must be positive and below the sensing range");
+  require(p.stray_limit > p.follow_distance, "the stray limit ρ must exceed the follow distance δ");
+  require(p.progress_period >= 2, "the progress period τ must be 2 steps or more");
+}
+
+std::string_view name_of(Mode mode) {
+  constexpr std::string_view kNames[] = {
+      "none", "current surface", "current segment", "current edge", "point", "gap", "extend", "travel"};
+  return kNames[static_cast<std::size_t>(mode)];
+}
+
+std::string_view name_of(End end) {
+  constexpr std::string_view kNames[] = {"", "complete", "no surface", "stopped"};
+  return kNames[static_cast<std::size_t>(end)];
+}
+
+Follower::Follower(const Parameters& parameters)
+    : parameters_(sound(parameters)), clearance_(parameters.clearance()) {}
+
+Motion Follower::next(const Observation& seen) {
+  clearance_.remember(seen.readings);
+  Motion motion = choose(seen);
+  if (motion.end != End::none) return {Vector3d::Zero(), motion.mode, motion.end};
+  const double length = motion.displacement.norm();
+  if (length > parameters_.max_step) motion.displacement *= parameters_.max_step / length;
+  motion.displacement = within_ceilings(seen.posture, motion.displacement);
+  motion.displacement =
+      clearance_.shortened(seen.model.view(), seen.posture.control_point(), motion.displacement);
+  return motion;
+}
+
+}  // namespace limpet::following

@@ -1,0 +1,107 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <limpet/following/clearance.hpp>
+#include <limpet/following/parameters.hpp>
+#include <limpet/kinematics/posture.hpp>
+#include <limpet/model/model.hpp>
+
+namespace limpet::following {
+
+/// What a follower is told after each set.
+struct Observation {
+  const model::Model& model;                     ///< has taken in the readings
+  std::span<const model::Change> changes;        ///< what they did to it
+  const kinematics::Posture& posture;            ///< where the robot is, as far as it knows
+  std::span<const model::SensorPoint> readings;  ///< the last set
+};
+
+/// What a motion is for: the five motion modes of thesis §3.4, and those of `frontier`.
+enum class Mode {
+  none,
+  current_surface,
+  current_segment,
+  current_edge,
+  point,
+  gap,
+  extend,  ///< frontier: a position from which rays meet targets near open edges
+  travel   ///< frontier: back over positions visited before, to targets elsewhere
+};
+std::string_view name_of(Mode);
+
+/// Why a run is over.
+enum class End {
+  none,        ///< it is not
+  complete,    ///< nothing is left that is neither modelled nor marked
+  no_surface,  ///< no surface is within sensing range, and none has been felt
+  stopped      ///< the robot cannot move without coming too near
+};
+std::string_view name_of(End);
+
+/// One motion of the control point.
+struct Motion {
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< world, scan's unit
+  Mode mode = Mode::none;
+  End end = End::none;
+};
+
+/// What a strategy has given up, now.
+struct Marks {
+  std::vector<model::SegmentId> unreachable_segments;
+  std::vector<geometry::EdgeId> unreachable_edges, unclosable_edges;
+};
+
+/// Decides where the robot goes next, from the model and the robot alone.
+///
+///     auto follower = make_follower(Strategy::frontier, parameters);
+///     for (;;) {
+///       const auto readings = robot.sense();
+///       const auto& changes = model.update(readings);
+///       const Motion motion = follower->next({model, changes, robot.posture(), readings});
+///       if (motion.end != End::none) break;
+///       robot.move(actuator_changes(robot.posture(), motion.displacement));
+///     }
+///     model.finish();
+///
+///  (1) the same observations give the same motions;
+///  (2) a motion is no longer than σ_max, and no longer than the robot's ceilings let it be;
+///  (3) along the whole of a motion, the control point comes no nearer than δ − λ to the model, to a reading
+///  of
+///      this set or to one of the recent ones; if it is nearer already, it comes no nearer still;
+///  (4) a run ends: each of a finite number of places is given up after a finite number of steps.
+class Follower {
+ public:
+  /// Throws std::invalid_argument when the parameters are not sound.
+  explicit Follower(const Parameters&);
+  virtual ~Follower() = default;
+  Follower(const Follower&) = delete;
+  Follower& operator=(const Follower&) = delete;
+
+  /// The next motion. Precondition: observations come in order, one for each set.
+  Motion next(const Observation&);
+
+  const Parameters& parameters() const { return parameters_; }
+  virtual Marks marks() const = 0;
+
+ protected:
+  /// The motion that the strategy wants. next() shortens it to what is clear, and to σ_max and the ceilings.
+  virtual Motion choose(const Observation&) = 0;
+  const Clearance& clearance() const { return clearance_; }
+
+ private:
+  Parameters parameters_;
+  Clearance clearance_;
+};
+
+enum class Strategy { frontier, thesis };
+
+/// Throws std::invalid_argument when the parameters are not sound.
+std::unique_ptr<Follower> make_follower(Strategy, const Parameters&);
+
+}  // namespace limpet::following

@@ -1,0 +1,94 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/kinematics/posture.hpp>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace limpet::kinematics {
+namespace {
+
+bool moves(const Link& link) { return link.joint.kind != Joint::Kind::fixed; }
+
+Eigen::Isometry3d motion_of(const Joint& joint, double position) {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  if (joint.kind == Joint::Kind::prismatic) motion.translation() = position * joint.axis;
+  if (joint.kind == Joint::Kind::revolute)
+    motion.linear() = Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
+  return motion;
+}
+
+}  // namespace
+
+Posture::Posture(const Robot& robot, const Configuration& configuration)
+    : robot_(&robot), configuration_(configuration) {
+  if (static_cast<std::size_t>(configuration.size()) != robot.joint_count() || !configuration.allFinite())
+    throw std::invalid_argument("a configuration must have one finite position for each joint");
+  Eigen::Index joint = 0;
+  for (const Link& link : robot.links) {
+    Eigen::Isometry3d pose = link.parent ? links_[*link.parent] * link.mounting : link.mounting;
+    if (moves(link)) pose = pose * motion_of(link.joint, configuration[joint++]);
+    links_.push_back(pose);
+  }
+}
+
+Eigen::Vector3d Posture::control_point() const {
+  return links_[robot_->control_point.link] * robot_->control_point.position;
+}
+
+Posture::Sensor Posture::sensor(std::size_t i) const {
+  const RangeSensor& sensor = robot_->sensors[i];
+  const Eigen::Isometry3d& link = links_[sensor.link];
+  return {link * sensor.position, link.linear() * sensor.axis, sensor.range};
+}
+
+model::SensorPoint Posture::sensor_point(std::size_t i, double distance) const {
+  const Sensor s = sensor(i);
+  return {s.position + distance * s.axis, s.axis, distance};
+}
+
+Eigen::Matrix3Xd Posture::jacobian() const {
+  Eigen::Matrix3Xd jacobian = Eigen::Matrix3Xd::Zero(3, configuration_.size());
+  std::vector<bool> carries(robot_->links.size());  // does the link carry the control point's link?
+  for (std::optional<std::size_t> i = robot_->control_point.link; i; i = robot_->links[*i].parent)
+    carries[*i] = true;
+  const Eigen::Vector3d x = control_point();
+  Eigen::Index joint = 0;
+  for (std::size_t i = 0; i < robot_->links.size(); ++i) {
+    const Link& link = robot_->links[i];
+    if (!moves(link)) continue;
+    const Eigen::Index column = joint++;
+    if (!carries[i]) continue;
+    const Eigen::Vector3d axis = links_[i].linear() * link.joint.axis;  // the joint leaves its axis as it is
+    if (link.joint.kind == Joint::Kind::prismatic)
+      jacobian.col(column) = axis;
+    else
+      jacobian.col(column) = axis.cross(x - links_[i].translation());
+  }
+  return jacobian;
+}
+
+Configuration actuator_changes(const Posture& posture, const Eigen::Vector3d& motion) {
+  const Eigen::MatrixXd jacobian = posture.jacobian();
+  return limited(posture, jacobian.completeOrthogonalDecomposition().solve(motion));
+}
+
+Configuration limited(const Posture& posture, const Configuration& changes) {
+  const Robot& robot = posture.robot();
+  double prismatic2 = 0, revolute2 = 0, scale = 1;
+  Eigen::Index joint = 0;
+  for (const Link& link : robot.links) {
+    if (!moves(link)) continue;
+    const double change = changes[joint], at = posture.configuration()[joint];
+    ++joint;
+    (link.joint.kind == Joint::Kind::prismatic ? prismatic2 : revolute2) += change * change;
+    const double room = change > 0 ? link.joint.high - at : at - link.joint.low;
+    if (std::abs(change) > room) scale = std::min(scale, std::max(0.0, room) / std::abs(change));
+  }
+  if (prismatic2 > 0) scale = std::min(scale, robot.ceilings.prismatic / std::sqrt(prismatic2));
+  if (revolute2 > 0) scale = std::min(scale, robot.ceilings.revolute_rad / std::sqrt(revolute2));
+  return scale * changes;
+}
+
+}  // namespace limpet::kinematics

@@ -1,0 +1,57 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <vector>
+
+#include <limpet/kinematics/robot.hpp>
+#include <limpet/model/sensor_point.hpp>
+
+namespace limpet::kinematics {
+
+/// The positions of the joints that move: lengths and radians.
+using Configuration = Eigen::VectorXd;
+
+/// A robot in a configuration: forward kinematics. The robot must outlive it.
+class Posture {
+ public:
+  /// Throws std::invalid_argument unless there is one finite position for each joint that moves. Joint limits
+  /// are not checked.
+  Posture(const Robot&, const Configuration&);
+
+  const Robot& robot() const { return *robot_; }
+  const Configuration& configuration() const { return configuration_; }
+  /// Pose of a link's frame in the world.
+  const Eigen::Isometry3d& link(std::size_t i) const { return links_[i]; }
+  /// x: the control point's position in the world.
+  Eigen::Vector3d control_point() const;
+
+  /// A sensor in the world.
+  struct Sensor {
+    Eigen::Vector3d position, axis;
+    double range = 0;
+  };
+  Sensor sensor(std::size_t i) const;
+
+  /// The sensor point of a reading at this distance: p = s + d·a (thesis (1)).
+  model::SensorPoint sensor_point(std::size_t sensor, double distance) const;
+
+  /// J of thesis (2): how the control point moves with each joint, 3 × joint_count().
+  Eigen::Matrix3Xd jacobian() const;
+
+ private:
+  const Robot* robot_;
+  Configuration configuration_;
+  std::vector<Eigen::Isometry3d> links_;
+};
+
+/// The smallest actuator changes that move the control point by `motion` (world), as the Jacobian has it
+/// (thesis §3.2: Θ̇ = G ẋ, G the pseudo-inverse), shortened to the robot's ceilings.
+Configuration actuator_changes(const Posture&, const Eigen::Vector3d& motion);
+
+/// The changes scaled down, all by the same factor, until both ceilings and the joints' limits are kept.
+Configuration limited(const Posture&, const Configuration& changes);
+
+}  // namespace limpet::kinematics

@@ -1,0 +1,70 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/kinematics/robot.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace limpet::kinematics {
+namespace {
+
+void require(bool good, const std::string& what) {
+  if (!good) throw std::invalid_argument(what);
+}
+
+bool is_unit(const Eigen::Vector3d& v) { return std::abs(v.norm() - 1) < 1e-9; }
+
+}  // namespace
+
+std::size_t Robot::joint_count() const {
+  return static_cast<std::size_t>(std::count_if(
+      links.begin(), links.end(), [](const Link& link) { return link.joint.kind != Joint::Kind::fixed; }));
+}
+
+void require_sound(const Robot& robot) {
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const Link& link = robot.links[i];
+    const std::string where = "link " + std::to_string(i) + " (" + link.name + ")";
+    require(!link.parent || *link.parent < i, where + ": its parent must come before it");
+    require(is_unit(link.joint.axis), where + ": the axis of its joint must be a unit vector");
+    require(link.joint.low <= link.joint.high, where + ": the limits of its joint are out of order");
+  }
+  require(robot.control_point.link < robot.links.size(), "the control point is on no link");
+  for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
+    const RangeSensor& sensor = robot.sensors[i];
+    const std::string where = "sensor " + std::to_string(i);
+    require(sensor.link < robot.links.size(), where + ": is on no link");
+    require(is_unit(sensor.axis), where + ": its axis must be a unit vector");
+    require(sensor.range > 0, where + ": its range must be positive");
+  }
+  require(robot.ceilings.prismatic > 0 && robot.ceilings.revolute_rad > 0, "ceilings must be positive");
+}
+
+Robot point_robot(const PointRobotOptions& options) {
+  Robot robot;
+  robot.name = "point";
+  robot.ceilings.prismatic = options.ceiling;
+  for (int i = 0; i < 3; ++i) {
+    Link link;
+    link.name = std::string(1, static_cast<char>('x' + i));
+    if (i > 0) link.parent = static_cast<std::size_t>(i - 1);
+    link.joint = {Joint::Kind::prismatic, Eigen::Vector3d::Unit(i)};
+    robot.links.push_back(link);
+  }
+  Link body;
+  body.name = "body";
+  body.parent = 2;
+  body.mounting.linear() = options.heading.normalized().toRotationMatrix();
+  robot.links.push_back(body);
+  robot.control_point.link = 3;
+  for (int corners = 1; corners <= 3; ++corners)  // how many coordinates are not 0: faces, edges, corners
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z)
+          if (std::abs(x) + std::abs(y) + std::abs(z) == corners)
+            robot.sensors.push_back(
+                {3, Eigen::Vector3d::Zero(), Eigen::Vector3d(x, y, z).normalized(), options.sensing_range});
+  return robot;
+}
+
+}  // namespace limpet::kinematics

@@ -1,0 +1,29 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <limpet/simulation/mesh.hpp>
+#include <memory>
+#include <optional>
+
+namespace limpet::simulation {
+
+/// What simulated range finders see.
+class World {
+ public:
+  virtual ~World() = default;
+
+  /// What one range finder sees along its sensing axis.
+  struct Sighting {
+    double distance = 0;          ///< along the axis
+    double incidence_cosine = 1;  ///< of the angle between the axis and the inward normal; 1 where unknown
+  };
+  /// The first surface within `range`, if it is seen from outside. Precondition: `axis` is a unit vector.
+  virtual std::optional<Sighting> sight(const Eigen::Vector3d& from, const Eigen::Vector3d& axis,
+                                        double range) const = 0;
+};
+
+/// A mesh as a world: rays are cast. The mesh is copied.
+std::unique_ptr<World> make_mesh_world(const Mesh&);
+
+}  // namespace limpet::simulation
