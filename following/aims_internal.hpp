@@ -1,0 +1,59 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <limpet/following/clearance.hpp>
+#include <limpet/following/parameters.hpp>
+#include <limpet/kinematics/posture.hpp>
+#include <limpet/model/view.hpp>
+#include <optional>
+#include <vector>
+
+#include "targets_internal.hpp"
+
+namespace limpet::following::internal {
+
+/// A place for the control point from which a sensing axis goes through a target.
+struct Aim {
+  Eigen::Vector3d place;
+  Target target;
+  double value = 0;  ///< what the readings there are worth, over the steps to get there
+};
+
+/// Chooses the place to take the next readings from: places that put a sensing axis exactly through a target
+/// near by are compared by the targets that all axes meet there.
+class AimChooser {
+ public:
+  /// `step`: how far the control point moves in one step.
+  AimChooser(const Parameters& parameters, const kinematics::Posture&, double step);
+
+  /// The best aim that the control point can go to in a straight line, keeping clear; none if there is none.
+  std::optional<Aim> choose(const model::View&, const Clearance&, const std::vector<Target>&);
+
+ private:
+  struct Axis {
+    Eigen::Vector3d offset, axis;  ///< from the control point; unit vector
+    double range;
+  };
+  /// The targets that lie in one plane.
+  struct Plane {
+    Eigen::Vector3d normal;
+    double height;
+    std::vector<std::size_t> targets;
+  };
+
+  void sort_into_planes(const std::vector<Target>&);
+  void add_candidates(const std::vector<Target>&);
+  void add_candidates(const Target&);
+  double worth(const Eigen::Vector3d& place, const std::vector<Target>&);
+  bool is_good(const model::View&, const Clearance&, const Aim&) const;
+
+  double lambda_, height_, step_;
+  Eigen::Vector3d here_;
+  std::vector<Axis> axes_;
+  std::vector<Plane> planes_;
+  std::vector<Aim> candidates_;
+  std::vector<int> met_;  ///< per target: the number of the last place from which it was met
+  int place_number_ = 0;
+};
+
+}  // namespace limpet::following::internal

@@ -1,0 +1,204 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/following/frontier_follower.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "aims_internal.hpp"
+#include "open_edge_map_internal.hpp"
+#include "place_memory_internal.hpp"
+#include "targets_internal.hpp"
+#include "visited_internal.hpp"
+
+namespace limpet::following {
+namespace {
+
+using Eigen::Vector3d;
+using internal::Aim;
+using internal::OpenPart;
+using internal::Target;
+using model::View;
+
+class FrontierFollower : public Follower {
+ public:
+  explicit FrontierFollower(const Parameters& p)
+      : Follower(p),
+        open_(p.resolution),
+        memory_(p.resolution),
+        finder_(p, memory_),
+        visited_(p.resolution) {}
+
+  Marks marks() const override { return {}; }
+
+ protected:
+  Motion choose(const Observation&) override;
+
+ private:
+  void look_at_what_was_read(const Observation&);
+  void find_targets(const Observation&);
+  bool has_arrived(const Vector3d& here) const;
+  void close_aim(const Observation&);
+  Motion go_on(const Observation&);
+  Motion travel(const Observation&);
+  Motion start(const Observation&);
+  void give_up_what_is_near();
+  void leave_what_would_close(const Observation&);
+
+  double lambda() const { return parameters().resolution; }
+
+  internal::OpenEdgeMap open_;
+  internal::PlaceMemory memory_;
+  internal::TargetFinder finder_;
+  internal::Visited visited_;
+  std::vector<OpenPart> parts_;
+  std::vector<Target> targets_;
+  std::optional<Aim> aim_;
+  std::vector<Vector3d> way_;  ///< of a travel, the next place last
+  Vector3d before_ = Vector3d::Zero();
+  bool began_ = false;
+};
+
+/// The distance up to which the ray of a sensor is known to be free.
+double free_range(const kinematics::Posture::Sensor& sensor, std::span<const model::SensorPoint> readings) {
+  constexpr double kSame = 1e-9;
+  for (const model::SensorPoint& reading : readings)
+    if ((reading.axis - sensor.axis).squaredNorm() < kSame &&
+        (reading.position - (sensor.position + reading.range * sensor.axis)).norm() <
+            kSame * (1 + reading.range))
+      return reading.range;
+  return sensor.range;
+}
+
+/// Remembers the targets that rays have gone through without meeting anything.
+void FrontierFollower::look_at_what_was_read(const Observation& seen) {
+  constexpr double kNear = 0.4, kBeyond = 0.6, kGrazing = 0.25;
+  std::vector<bool> empty(targets_.size());
+  for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i) {
+    const auto sensor = seen.posture.sensor(i);
+    const double free = free_range(sensor, seen.readings);
+    for (std::size_t k = 0; k < targets_.size(); ++k) {
+      const Target& target = targets_[k];
+      const double fall = -sensor.axis.dot(target.normal);
+      if (empty[k] || fall < kGrazing) continue;
+      const double crosses = (sensor.position - target.at).dot(target.normal) / fall;
+      if (crosses < 0 || crosses + kBeyond * lambda() > free) continue;
+      const Vector3d off = sensor.position + crosses * sensor.axis - target.at;
+      if (off.squaredNorm() < kNear * kNear * lambda() * lambda()) empty[k] = true;
+    }
+  }
+  for (std::size_t k = 0; k < targets_.size(); ++k)
+    if (empty[k]) memory_.note_empty(targets_[k].at, targets_[k].normal);
+}
+
+void FrontierFollower::find_targets(const Observation& seen) {
+  const View view = seen.model.view();
+  const Vector3d here = seen.posture.control_point();
+  targets_.clear();
+  open_.near(here, 5 * lambda(), view, parts_);
+  for (const OpenPart& part : parts_) open_.set_wanted(part, finder_.add(view, part, targets_));
+  if (!targets_.empty()) return;
+  const auto point = view.nearest(here, parameters().sensing_range, {.polygons = false, .initial = false});
+  if (point) finder_.add_around_point(view, point->at, here, targets_);
+}
+
+bool FrontierFollower::has_arrived(const Vector3d& here) const {
+  return aim_ && (here - aim_->place).norm() < 0.05 * lambda();
+}
+
+/// Drops an aim that has been reached, or that cannot be.
+void FrontierFollower::close_aim(const Observation& seen) {
+  if (!aim_) return;
+  const Vector3d here = seen.posture.control_point();
+  const Target aimed = aim_->target;
+  const bool stuck = (here - before_).norm() < 1e-3 * lambda();
+  const bool still = std::any_of(targets_.begin(), targets_.end(), [&](const Target& t) {
+    return (t.at - aimed.at).norm() < 0.3 * lambda() && t.normal.dot(aimed.normal) > 0.9;
+  });
+  if (still && has_arrived(here))
+    memory_.note_failed(aimed.at, aimed.normal);
+  else if (still && stuck)
+    memory_.note_blocked(aimed.at, aimed.normal);
+  aim_.reset();
+}
+
+/// The next step to the best aim near by.
+Motion FrontierFollower::go_on(const Observation& seen) {
+  const Vector3d here = seen.posture.control_point();
+  const double step = std::min(parameters().max_step, seen.posture.robot().ceilings.prismatic);
+  internal::AimChooser chooser(parameters(), seen.posture, step);
+  aim_ = chooser.choose(seen.model.view(), clearance(), targets_);
+  if (!aim_) return {};
+  return {aim_->place - here, Mode::extend};
+}
+
+/// From here nothing can be aimed at: all targets near are blocked, for now.
+void FrontierFollower::give_up_what_is_near() {
+  for (const Target& target : targets_) memory_.note_blocked(target.at, target.normal);
+}
+
+void FrontierFollower::leave_what_would_close(const Observation& seen) {
+  const model::Outcome outcome = seen.model.would_finish();
+  for (const auto& edge : outcome.edges)
+    if (edge.closes) open_.set_all_wanted(edge.edge, false);
+}
+
+Motion FrontierFollower::travel(const Observation& seen) {
+  const Vector3d here = seen.posture.control_point();
+  if (way_.empty()) {
+    leave_what_would_close(seen);
+    way_ = visited_.way_to([&](const Vector3d& place) { return open_.any_wanted(place, 3.5 * lambda()); });
+    if (way_.empty()) return {Vector3d::Zero(), Mode::travel, End::complete};
+    std::reverse(way_.begin(), way_.end());
+  }
+  // Straight to the farthest place of the way that is in sight.
+  const View view = seen.model.view();
+  for (int looked = 0; looked < 4 && way_.size() > 1; ++looked) {
+    if (!clearance().is_clear(view, here, way_[way_.size() - 2])) break;
+    way_.pop_back();
+  }
+  const Vector3d motion = way_.back() - here;
+  if (motion.norm() < 0.6 * lambda()) way_.pop_back();
+  return {motion, Mode::travel};
+}
+
+/// Before anything is known: towards the nearest reading, or none.
+Motion FrontierFollower::start(const Observation& seen) {
+  if (seen.readings.empty() && !began_) return {Vector3d::Zero(), Mode::none, End::no_surface};
+  open_.read(seen.model.view());
+  began_ = true;
+  return {};
+}
+
+Motion FrontierFollower::choose(const Observation& seen) {
+  const View view = seen.model.view();
+  const Vector3d here = seen.posture.control_point();
+  if (!began_) {
+    if (const Motion motion = start(seen); motion.end != End::none) return motion;
+  } else {
+    open_.apply(seen.changes, view);
+  }
+  visited_.arrive(view, clearance(), here);
+  look_at_what_was_read(seen);
+  find_targets(seen);
+  close_aim(seen);
+  before_ = here;
+  Motion motion;
+  if (!targets_.empty()) {
+    motion = go_on(seen);
+    if (motion.mode == Mode::none && way_.empty()) give_up_what_is_near();
+  }
+  if (motion.mode != Mode::none) {
+    way_.clear();
+    return motion;
+  }
+  return travel(seen);
+}
+
+}  // namespace
+
+std::unique_ptr<Follower> make_frontier_follower(const Parameters& parameters) {
+  return std::make_unique<FrontierFollower>(parameters);
+}
+
+}  // namespace limpet::following

@@ -1,0 +1,14 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <limpet/following/follower.hpp>
+#include <memory>
+
+namespace limpet::following {
+
+/// The strategy `frontier`: wherever surface is expected outside an open edge, and not known to be missing,
+/// is a target. The control point goes to where its sensing axes meet most targets for the steps it takes;
+/// when there are none near, it travels over places it has visited to the nearest where there are.
+std::unique_ptr<Follower> make_frontier_follower(const Parameters&);
+
+}  // namespace limpet::following

@@ -1,0 +1,105 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "open_edge_map_internal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace limpet::following::internal {
+
+using Eigen::Vector3d;
+using geometry::EdgeId;
+using model::Change;
+using model::View;
+
+OpenPart OpenEdgeMap::Entry::part(std::uint32_t i) const {
+  const auto count = static_cast<double>(wanted.size());
+  const Vector3d step = (to - from) / count;
+  OpenPart result;
+  result.part = i;
+  result.from = from + i * step;
+  result.to = from + (i + 1) * step;
+  return result;
+}
+
+void OpenEdgeMap::forget(EdgeId id) {
+  const auto known = edges_.find(id.value);
+  if (known == edges_.end()) return;
+  const Entry& entry = known->second;
+  for (std::uint32_t i = 0; i < entry.wanted.size(); ++i)
+    places_.remove(entry.part(i).middle(), [&](const Place& place) { return place.edge == id.value; });
+  edges_.erase(known);
+}
+
+void OpenEdgeMap::put(EdgeId id, const View& view) {
+  forget(id);
+  const auto edge = view.edge(id);
+  if (!edge || edge->partner) return;
+  const double parts = std::ceil((edge->to - edge->from).norm() / part_length_);
+  const auto count = static_cast<std::uint32_t>(std::max(1.0, parts));
+  const Entry entry{edge->from, edge->to, std::vector<bool>(count, true)};
+  for (std::uint32_t i = 0; i < count; ++i) places_.put(entry.part(i).middle(), {id.value, i});
+  edges_[id.value] = entry;
+}
+
+void OpenEdgeMap::apply(std::span<const Change> changes, const View& view) {
+  for (const Change& change : changes) switch (change.kind) {
+      case Change::Kind::edges_removed:
+      case Change::Kind::shared:
+        for (const EdgeId id : change.edges) forget(id);
+        break;
+      case Change::Kind::edges_created:
+      case Change::Kind::edges_moved:
+      case Change::Kind::unshared:
+        for (const EdgeId id : change.edges) put(id, view);
+        break;
+      default:
+        break;
+    }
+}
+
+void OpenEdgeMap::read(const View& view) {
+  edges_.clear(), places_.clear();
+  std::vector<View::Edge> open;
+  view.open_edges(open);
+  for (const View::Edge& edge : open) put(edge.id, view);
+}
+
+void OpenEdgeMap::near(const Vector3d& p, double reach, const View& view, std::vector<OpenPart>& result) {
+  result.clear(), found_.clear();
+  places_.for_each_within(p, reach, [&](const Vector3d&, const Place& place) { found_.push_back(place); });
+  std::sort(found_.begin(), found_.end(), [](const Place& a, const Place& b) {
+    return std::tie(a.edge, a.part) < std::tie(b.edge, b.part);
+  });
+  for (const Place& place : found_) {
+    const EdgeId id{place.edge};
+    const auto edge = view.edge(id);
+    if (!edge || edge->partner) {  // its segment was deleted, or it has a partner
+      forget(id);
+      continue;
+    }
+    OpenPart part = edges_.at(place.edge).part(place.part);
+    part.edge = id;
+    part.segment = edge->segment;
+    result.push_back(part);
+  }
+}
+
+void OpenEdgeMap::set_wanted(const OpenPart& part, bool wanted) {
+  if (const auto known = edges_.find(part.edge.value); known != edges_.end())
+    known->second.wanted[part.part] = wanted;
+}
+
+void OpenEdgeMap::set_all_wanted(EdgeId id, bool wanted) {
+  const auto known = edges_.find(id.value);
+  if (known != edges_.end()) known->second.wanted.assign(known->second.wanted.size(), wanted);
+}
+
+bool OpenEdgeMap::any_wanted(const Vector3d& p, double reach) const {
+  return places_.any_within(p, reach, [&](const Vector3d&, const Place& place) {
+    const auto known = edges_.find(place.edge);
+    return known != edges_.end() && known->second.wanted[place.part];
+  });
+}
+
+}  // namespace limpet::following::internal

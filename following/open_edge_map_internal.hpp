@@ -1,0 +1,65 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include <limpet/model/view.hpp>
+
+#include "space_hash_internal.hpp"
+
+namespace limpet::following::internal {
+
+/// A part of an open edge, at most 2 λ long.
+struct OpenPart {
+  geometry::EdgeId edge;
+  std::uint32_t part = 0;  ///< its number along the edge
+  model::SegmentId segment;
+  Eigen::Vector3d from, to;
+  Eigen::Vector3d middle() const { return (from + to) / 2; }
+};
+
+/// The open edges of the model by place, kept by the changes that updates tell (model::Change).
+class OpenEdgeMap {
+ public:
+  explicit OpenEdgeMap(double resolution) : places_(3 * resolution), part_length_(2 * resolution) {}
+
+  void apply(std::span<const model::Change>, const model::View&);
+  /// Forgets all, and takes the open edges of the model.
+  void read(const model::View&);
+
+  /// The parts with their middle within `reach` of p, as they are now, by edge and part. Edges that are gone
+  /// are forgotten.
+  void near(const Eigen::Vector3d& p, double reach, const model::View&, std::vector<OpenPart>&);
+
+  /// Sets whether a part leaves something to be done. It is assumed of an edge that is new, or has moved.
+  void set_wanted(const OpenPart&, bool wanted);
+  /// The same for all parts of an edge.
+  void set_all_wanted(geometry::EdgeId, bool wanted);
+  /// Is there a part within `reach` of p that leaves something to be done?
+  bool any_wanted(const Eigen::Vector3d& p, double reach) const;
+
+  std::size_t size() const { return edges_.size(); }
+
+ private:
+  struct Entry {
+    Eigen::Vector3d from, to;
+    std::vector<bool> wanted;  ///< of each part
+
+    OpenPart part(std::uint32_t i) const;
+  };
+  struct Place {
+    std::uint64_t edge;
+    std::uint32_t part;
+  };
+  void put(geometry::EdgeId, const model::View&);
+  void forget(geometry::EdgeId);
+
+  std::unordered_map<std::uint64_t, Entry> edges_;
+  SpaceHash<Place> places_;  ///< by the middle of the part
+  std::vector<Place> found_;
+  double part_length_;
+};
+
+}  // namespace limpet::following::internal

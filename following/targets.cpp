@@ -1,0 +1,102 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "targets_internal.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace limpet::following::internal {
+namespace {
+
+using Eigen::Vector3d;
+using model::View;
+
+constexpr double kFirst = 0.7;                          ///< λ outside an open edge
+constexpr std::array<double, 2> kFarther = {1.5, 2.4};  ///< λ
+constexpr std::array<double, 2> kFartherWeight = {0.5, 0.25};
+
+/// Rotations about an open edge, towards the inside.
+struct Fold {
+  double cosine, sine;
+};
+constexpr double kHalf = 0.70710678118654752;
+constexpr std::array<Fold, 3> kFolds = {Fold{kHalf, kHalf}, Fold{0, 1}, Fold{-kHalf, kHalf}};
+
+}  // namespace
+
+bool TargetFinder::is_open(const Vector3d& at, const Vector3d& normal) const {
+  const auto tries = memory_.at(at, normal);
+  return !tries.is_empty() && !tries.is_given_up();
+}
+
+/// Is the place on the far side of another polygon's plane, or on a polygon? Where two planes meet, an edge
+/// is to be shared, and what lies beyond the line is not of this surface.
+bool TargetFinder::is_cut_off(const View& view, const OpenPart& part, const Vector3d& normal,
+                              const Vector3d& place) const {
+  constexpr double kKnown = 0.4, kSamePlane = 0.98;
+  const Vector3d inside = part.middle();
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    const geometry::Plane& plane = planes_[i].plane;
+    if (normal.dot(plane.normal) > kSamePlane) {
+      if (view.nearest(place, kKnown * lambda_, {.only = others_[i].segment})) return true;
+      continue;
+    }
+    const double here = plane.height_of(inside), there = plane.height_of(place);
+    if (here * there <= 0 || std::abs(there) < 0.1 * lambda_) {
+      if (view.nearest(place, 1.2 * lambda_, {.only = others_[i].segment})) return true;
+    }
+  }
+  return false;
+}
+
+bool TargetFinder::add_folded(const View& view, const OpenPart& part, const Vector3d& normal,
+                              const Vector3d& outward, std::vector<Target>& targets) const {
+  for (const Fold& fold : kFolds) {
+    const Vector3d way = fold.cosine * outward - fold.sine * normal;
+    const Vector3d at = part.middle() + kFirst * lambda_ * way;
+    const Vector3d facing = fold.cosine * normal + fold.sine * outward;
+    if (view.nearest(at, 0.5 * lambda_, {.but = part.segment, .points = false})) return false;  // it is known
+    if (!is_open(at, facing)) continue;
+    targets.push_back({at, facing, 1});
+    return true;
+  }
+  return false;
+}
+
+bool TargetFinder::add(const View& view, const OpenPart& part, std::vector<Target>& targets) {
+  const auto segment = view.segment(part.segment);
+  if (!segment) return false;
+  const Vector3d normal = segment->plane.normal;
+  const Vector3d outward = (part.to - part.from).cross(normal).normalized();
+  if (!outward.allFinite() || outward.isZero()) return false;
+  const Vector3d middle = part.middle(), first = middle + kFirst * lambda_ * outward;
+  if (view.nearest(first, 0.4 * lambda_, {.only = part.segment})) return false;  // in a narrow inlet
+  view.nearest(first, 1.5 * lambda_, others_, {.but = part.segment, .points = false});
+  planes_.clear();
+  for (const auto& other : others_) planes_.push_back(*view.segment(other.segment));
+  if (is_cut_off(view, part, normal, first)) return false;
+
+  const auto tries = memory_.at(first, normal);
+  if (tries.is_empty()) return add_folded(view, part, normal, outward, targets);
+  if (tries.is_given_up()) return false;
+  targets.push_back({first, normal, 1});
+  for (std::size_t i = 0; i < kFarther.size(); ++i) {
+    const Vector3d at = middle + kFarther[i] * lambda_ * outward;
+    if (!is_open(at, normal) || is_cut_off(view, part, normal, at)) break;
+    targets.push_back({at, normal, kFartherWeight[i]});
+  }
+  return true;
+}
+
+void TargetFinder::add_around_point(const View& view, const Vector3d& point, const Vector3d& viewpoint,
+                                    std::vector<Target>& targets) const {
+  if (view.nearest(point, lambda_, {.points = false})) return;
+  const Vector3d normal = (viewpoint - point).normalized();
+  Vector3d along = normal.unitOrthogonal();
+  const Vector3d across = normal.cross(along);
+  for (const Vector3d& way : {along, across, Vector3d(-along), Vector3d(-across)}) {
+    const Vector3d at = point + 0.5 * lambda_ * way;
+    if (is_open(at, normal)) targets.push_back({at, normal, 0.5});
+  }
+}
+
+}  // namespace limpet::following::internal

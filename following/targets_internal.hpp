@@ -1,0 +1,47 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <limpet/following/parameters.hpp>
+#include <limpet/model/view.hpp>
+#include <vector>
+
+#include "open_edge_map_internal.hpp"
+#include "place_memory_internal.hpp"
+
+namespace limpet::following::internal {
+
+/// A place where surface is expected that the model does not have yet.
+struct Target {
+  Eigen::Vector3d at;
+  Eigen::Vector3d normal;  ///< the way the expected surface faces
+  double weight = 1;       ///< what a reading there is worth
+};
+
+/// Finds targets: places 0.7, 1.5 and 2.4 λ outside an open edge, on its polygon's plane, up to where another
+/// polygon's plane cuts it off. Where rays have found the plane to end, the surface is expected folded round
+/// the edge, by 45, 90 and then 135 degrees.
+class TargetFinder {
+ public:
+  TargetFinder(const Parameters& parameters, const PlaceMemory& memory)
+      : lambda_(parameters.resolution), memory_(memory) {}
+
+  /// Adds the targets outside a part of an open edge. Returns whether there were any.
+  bool add(const model::View&, const OpenPart&, std::vector<Target>&);
+  /// Adds targets around a point segment that is seen from `viewpoint` and near no polygon.
+  void add_around_point(const model::View&, const Eigen::Vector3d& point, const Eigen::Vector3d& viewpoint,
+                        std::vector<Target>&) const;
+
+ private:
+  bool is_cut_off(const model::View&, const OpenPart&, const Eigen::Vector3d& normal,
+                  const Eigen::Vector3d& place) const;
+  bool add_folded(const model::View&, const OpenPart&, const Eigen::Vector3d& normal,
+                  const Eigen::Vector3d& outward, std::vector<Target>&) const;
+  bool is_open(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) const;
+
+  double lambda_;
+  const PlaceMemory& memory_;
+  std::vector<model::View::Nearest> others_;
+  std::vector<model::View::Segment> planes_;  ///< of others_
+};
+
+}  // namespace limpet::following::internal

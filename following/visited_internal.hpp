@@ -1,0 +1,39 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <functional>
+#include <limpet/following/clearance.hpp>
+#include <limpet/model/view.hpp>
+#include <vector>
+
+#include "space_hash_internal.hpp"
+
+namespace limpet::following::internal {
+
+/// The places where the control point has been, and between which of them it can go in a straight line.
+class Visited {
+ public:
+  explicit Visited(double resolution)
+      : places_(2 * resolution), same_(0.6 * resolution), near_(1.8 * resolution) {}
+
+  /// The control point is here now, having come in a straight line.
+  void arrive(const model::View&, const Clearance&, const Eigen::Vector3d& here);
+
+  /// The shortest way over visited places from the present one to one that is wanted, the present one left
+  /// out; empty when there is none.
+  std::vector<Eigen::Vector3d> way_to(const std::function<bool(const Eigen::Vector3d&)>& wanted) const;
+
+ private:
+  struct Node {
+    Eigen::Vector3d at;
+    std::vector<std::size_t> next;
+  };
+  void link(std::size_t a, std::size_t b);
+
+  std::vector<Node> nodes_;
+  SpaceHash<std::size_t> places_;
+  std::size_t present_ = 0;
+  double same_, near_;
+};
+
+}  // namespace limpet::following::internal
