@@ -14,6 +14,7 @@ constexpr std::size_t kTargetsAimedAt = 10;
 constexpr std::size_t kCandidates = 48;
 constexpr double kGrazing = 0.34;                     ///< least cosine of incidence: 70°
 constexpr std::array<double, 2> kHeights = {1, 1.4};  ///< δ over the expected surface
+constexpr double kSamePlace = 0.1;                    ///< λ
 constexpr double kMeets = 0.5;                        ///< λ between a reading and a target that it serves
 
 }  // namespace

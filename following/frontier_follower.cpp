@@ -56,7 +56,7 @@ class FrontierFollower : public Follower {
   std::optional<Aim> aim_;
   std::vector<Vector3d> way_;  ///< of a travel, the next place last
   Vector3d before_ = Vector3d::Zero();
-  bool began_ = false;
+  bool began_ = false, travels_ = false, has_not_moved_ = false;
 };
 
 /// The distance up to which the ray of a sensor is known to be free.
@@ -145,6 +145,11 @@ void FrontierFollower::leave_what_would_close(const Observation& seen) {
 
 Motion FrontierFollower::travel(const Observation& seen) {
   const Vector3d here = seen.posture.control_point();
+  if (!way_.empty() && travels_ && has_not_moved_) {
+    visited_.block(way_.back());
+    way_.clear();
+  }
+  travels_ = true;
   if (way_.empty()) {
     leave_what_would_close(seen);
     way_ = visited_.way_to([&](const Vector3d& place) { return open_.any_wanted(place, 3.5 * lambda()); });
@@ -158,7 +163,7 @@ Motion FrontierFollower::travel(const Observation& seen) {
     way_.pop_back();
   }
   const Vector3d motion = way_.back() - here;
-  if (motion.norm() < 0.6 * lambda()) way_.pop_back();
+  if (motion.norm() < 0.3 * lambda()) way_.pop_back();
   return {motion, Mode::travel};
 }
 
@@ -182,6 +187,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
   look_at_what_was_read(seen);
   find_targets(seen);
   close_aim(seen);
+  has_not_moved_ = (here - before_).norm() < 1e-3 * lambda();
   before_ = here;
   Motion motion;
   if (!targets_.empty()) {
@@ -190,6 +196,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
   }
   if (motion.mode != Mode::none) {
     way_.clear();
+    travels_ = false;
     return motion;
   }
   return travel(seen);

@@ -36,6 +36,14 @@ void Visited::arrive(const model::View& view, const Clearance& clearance, const 
     if (clearance.is_clear(view, here, nodes_[near[i].second].at)) link(present_, near[i].second);
 }
 
+void Visited::block(const Vector3d& to) {
+  for (const std::size_t node : std::vector<std::size_t>(nodes_[present_].next))
+    if (nodes_[node].at == to) {
+      std::erase(nodes_[present_].next, node);
+      std::erase(nodes_[node].next, present_);
+    }
+}
+
 std::vector<Vector3d> Visited::way_to(const std::function<bool(const Vector3d&)>& wanted) const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::vector<double> length(nodes_.size(), kFar);

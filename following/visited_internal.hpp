@@ -19,6 +19,9 @@ class Visited {
   /// The control point is here now, having come in a straight line.
   void arrive(const model::View&, const Clearance&, const Eigen::Vector3d& here);
 
+  /// The straight way from the present place to the visited one at `to` has turned out not to be clear.
+  void block(const Eigen::Vector3d& to);
+
   /// The shortest way over visited places from the present one to one that is wanted, the present one left
   /// out; empty when there is none.
   std::vector<Eigen::Vector3d> way_to(const std::function<bool(const Eigen::Vector3d&)>& wanted) const;
