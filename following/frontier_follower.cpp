@@ -20,6 +20,8 @@ using internal::OpenPart;
 using internal::Target;
 using model::View;
 
+constexpr long kOutcomePeriod = 50;  ///< sets
+
 class FrontierFollower : public Follower {
  public:
   explicit FrontierFollower(const Parameters& p)
@@ -42,10 +44,14 @@ class FrontierFollower : public Follower {
   Motion go_on(const Observation&);
   Motion travel(const Observation&);
   Motion start(const Observation&);
+  Vector3d kept_off(const View&, const Vector3d& here, const Vector3d& motion) const;
   void give_up_what_is_near();
   void leave_what_would_close(const Observation&);
 
   double lambda() const { return parameters().resolution; }
+  double step(const Observation& seen) const {
+    return std::min(parameters().max_step, seen.posture.robot().ceilings.prismatic);
+  }
 
   internal::OpenEdgeMap open_;
   internal::PlaceMemory memory_;
@@ -56,6 +62,7 @@ class FrontierFollower : public Follower {
   std::optional<Aim> aim_;
   std::vector<Vector3d> way_;  ///< of a travel, the next place last
   Vector3d before_ = Vector3d::Zero();
+  long sets_ = 0;
   bool began_ = false, travels_ = false, has_not_moved_ = false;
 };
 
@@ -125,8 +132,7 @@ void FrontierFollower::close_aim(const Observation& seen) {
 /// The next step to the best aim near by.
 Motion FrontierFollower::go_on(const Observation& seen) {
   const Vector3d here = seen.posture.control_point();
-  const double step = std::min(parameters().max_step, seen.posture.robot().ceilings.prismatic);
-  internal::AimChooser chooser(parameters(), seen.posture, step);
+  internal::AimChooser chooser(parameters(), seen.posture, step(seen));
   aim_ = chooser.choose(seen.model.view(), clearance(), targets_);
   if (!aim_) return {};
   return {aim_->place - here, Mode::extend};
@@ -139,8 +145,18 @@ void FrontierFollower::give_up_what_is_near() {
 
 void FrontierFollower::leave_what_would_close(const Observation& seen) {
   const model::Outcome outcome = seen.model.would_finish();
-  for (const auto& edge : outcome.edges)
-    if (edge.closes) open_.set_all_wanted(edge.edge, false);
+  for (const auto& edge : outcome.edges) open_.set_closes(edge.edge, edge.closes);
+}
+
+/// A motion that goes straight if that is clear, and else along the surface that is in the way, and off it.
+Vector3d FrontierFollower::kept_off(const View& view, const Vector3d& here, const Vector3d& motion) const {
+  if (clearance().is_clear(view, here, here + motion)) return motion;
+  const double wanted = 1.5 * clearance().least();
+  const auto nearest = view.nearest(here, 2 * wanted);
+  if (!nearest || nearest->distance == 0) return motion;
+  const Vector3d away = (here - nearest->at) / nearest->distance;
+  const Vector3d along = motion - std::min(0.0, motion.dot(away)) * away;
+  return along + std::max(0.0, wanted - nearest->distance) * away;
 }
 
 Motion FrontierFollower::travel(const Observation& seen) {
@@ -163,8 +179,8 @@ Motion FrontierFollower::travel(const Observation& seen) {
     way_.pop_back();
   }
   const Vector3d motion = way_.back() - here;
-  if (motion.norm() < 0.3 * lambda()) way_.pop_back();
-  return {motion, Mode::travel};
+  if (motion.norm() < step(seen) + 1e-6 * lambda()) way_.pop_back();
+  return {kept_off(view, here, motion.normalized() * std::min(motion.norm(), step(seen))), Mode::travel};
 }
 
 /// Before anything is known: towards the nearest reading, or none.
@@ -183,6 +199,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
   } else {
     open_.apply(seen.changes, view);
   }
+  if (++sets_ % kOutcomePeriod == 0) leave_what_would_close(seen);
   visited_.arrive(view, clearance(), here);
   look_at_what_was_read(seen);
   find_targets(seen);

@@ -37,7 +37,7 @@ void OpenEdgeMap::put(EdgeId id, const View& view) {
   if (!edge || edge->partner) return;
   const double parts = std::ceil((edge->to - edge->from).norm() / part_length_);
   const auto count = static_cast<std::uint32_t>(std::max(1.0, parts));
-  const Entry entry{edge->from, edge->to, std::vector<bool>(count, true)};
+  const Entry entry{edge->from, edge->to, std::vector<bool>(count, true), false};
   for (std::uint32_t i = 0; i < count; ++i) places_.put(entry.part(i).middle(), {id.value, i});
   edges_[id.value] = entry;
 }
@@ -78,7 +78,9 @@ void OpenEdgeMap::near(const Vector3d& p, double reach, const View& view, std::v
       forget(id);
       continue;
     }
-    OpenPart part = edges_.at(place.edge).part(place.part);
+    const Entry& entry = edges_.at(place.edge);
+    if (entry.closes) continue;
+    OpenPart part = entry.part(place.part);
     part.edge = id;
     part.segment = edge->segment;
     result.push_back(part);
@@ -90,15 +92,14 @@ void OpenEdgeMap::set_wanted(const OpenPart& part, bool wanted) {
     known->second.wanted[part.part] = wanted;
 }
 
-void OpenEdgeMap::set_all_wanted(EdgeId id, bool wanted) {
-  const auto known = edges_.find(id.value);
-  if (known != edges_.end()) known->second.wanted.assign(known->second.wanted.size(), wanted);
+void OpenEdgeMap::set_closes(EdgeId id, bool closes) {
+  if (const auto known = edges_.find(id.value); known != edges_.end()) known->second.closes = closes;
 }
 
 bool OpenEdgeMap::any_wanted(const Vector3d& p, double reach) const {
   return places_.any_within(p, reach, [&](const Vector3d&, const Place& place) {
     const auto known = edges_.find(place.edge);
-    return known != edges_.end() && known->second.wanted[place.part];
+    return known != edges_.end() && !known->second.closes && known->second.wanted[place.part];
   });
 }
 

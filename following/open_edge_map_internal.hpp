@@ -29,14 +29,15 @@ class OpenEdgeMap {
   /// Forgets all, and takes the open edges of the model.
   void read(const model::View&);
 
-  /// The parts with their middle within `reach` of p, as they are now, by edge and part. Edges that are gone
-  /// are forgotten.
+  /// The parts with their middle within `reach` of p, as they are now, by edge and part, but for edges that
+  /// would close. Edges that are gone are forgotten.
   void near(const Eigen::Vector3d& p, double reach, const model::View&, std::vector<OpenPart>&);
 
   /// Sets whether a part leaves something to be done. It is assumed of an edge that is new, or has moved.
   void set_wanted(const OpenPart&, bool wanted);
-  /// The same for all parts of an edge.
-  void set_all_wanted(geometry::EdgeId, bool wanted);
+  /// Sets whether finishing would close the edge as it is (model::Outcome). It is not assumed of an edge that is
+  /// new, or has moved.
+  void set_closes(geometry::EdgeId, bool closes);
   /// Is there a part within `reach` of p that leaves something to be done?
   bool any_wanted(const Eigen::Vector3d& p, double reach) const;
 
@@ -46,6 +47,7 @@ class OpenEdgeMap {
   struct Entry {
     Eigen::Vector3d from, to;
     std::vector<bool> wanted;  ///< of each part
+    bool closes = false;
 
     OpenPart part(std::uint32_t i) const;
   };

@@ -59,7 +59,7 @@ std::vector<Vector3d> Visited::way_to(const std::function<bool(const Vector3d&)>
     if (so_far > length[node]) continue;
     if (node != present_ && wanted(nodes_[node].at)) {
       std::vector<Vector3d> way;
-      for (std::size_t i = node; i != present_; i = before[i]) way.push_back(nodes_[i].at);
+      for (std::size_t i = node; i != nodes_.size(); i = before[i]) way.push_back(nodes_[i].at);
       std::reverse(way.begin(), way.end());
       return way;
     }

@@ -22,8 +22,8 @@ class Visited {
   /// The straight way from the present place to the visited one at `to` has turned out not to be clear.
   void block(const Eigen::Vector3d& to);
 
-  /// The shortest way over visited places from the present one to one that is wanted, the present one left
-  /// out; empty when there is none.
+  /// The shortest way over visited places to one that is wanted. It begins with the one next to which the
+  /// control point is. Empty when there is none.
   std::vector<Eigen::Vector3d> way_to(const std::function<bool(const Eigen::Vector3d&)>& wanted) const;
 
  private:
