@@ -71,6 +71,7 @@ Eigen::Matrix3Xd Posture::jacobian() const {
 
 Configuration actuator_changes(const Posture& posture, const Eigen::Vector3d& motion) {
   const Eigen::MatrixXd jacobian = posture.jacobian();
+  if (jacobian.cols() == 0) return Configuration();  // which the decomposition does not take
   return limited(posture, jacobian.completeOrthogonalDecomposition().solve(motion));
 }
 

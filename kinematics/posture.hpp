@@ -47,8 +47,9 @@ class Posture {
   std::vector<Eigen::Isometry3d> links_;
 };
 
-/// The smallest actuator changes that move the control point by `motion` (world), as the Jacobian has it
-/// (thesis §3.2: Θ̇ = G ẋ, G the pseudo-inverse), shortened to the robot's ceilings.
+/// The smallest actuator changes that move the control point by `motion` (world, scan's unit), as the
+/// Jacobian has it (thesis §3.2: Θ̇ = G ẋ, G the pseudo-inverse), or as near to that as any changes do; then
+/// limited(). Empty for a robot without joints.
 Configuration actuator_changes(const Posture&, const Eigen::Vector3d& motion);
 
 /// The changes scaled down, all by the same factor, until both ceilings and the joints' limits are kept.

@@ -12,7 +12,29 @@ void require(bool good, const std::string& what) {
   if (!good) throw std::invalid_argument(what);
 }
 
-bool is_unit(const Eigen::Vector3d& v) { return std::abs(v.norm() - 1) < 1e-9; }
+constexpr double kRounding = 1e-9;
+
+bool is_unit(const Eigen::Vector3d& v) { return std::abs(v.norm() - 1) < kRounding; }
+
+bool is_rigid(const Eigen::Isometry3d& pose) {
+  const Eigen::Matrix3d turn = pose.linear();
+  return pose.translation().allFinite() && (turn * turn.transpose()).isIdentity(kRounding) &&
+         turn.determinant() > 0;
+}
+
+bool is_sound(const model::Capsule& part) {
+  return part.a.allFinite() && part.b.allFinite() && part.radius >= 0 && std::isfinite(part.radius);
+}
+
+void require_sound(const Link& link, std::size_t i) {
+  const std::string where = "link " + std::to_string(i) + " (" + link.name + ")";
+  require(!link.parent || *link.parent < i, where + ": its parent must come before it");
+  require(is_rigid(link.mounting), where + ": its mounting must be a finite translation and a rotation");
+  require(is_unit(link.joint.axis), where + ": the axis of its joint must be a unit vector");
+  require(link.joint.low <= link.joint.high, where + ": the limits of its joint are out of order");
+  require(std::all_of(link.body.begin(), link.body.end(), is_sound),
+          where + ": a part of its body must have finite ends and a radius of 0 or more");
+}
 
 }  // namespace
 
@@ -22,18 +44,14 @@ std::size_t Robot::joint_count() const {
 }
 
 void require_sound(const Robot& robot) {
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
-    const Link& link = robot.links[i];
-    const std::string where = "link " + std::to_string(i) + " (" + link.name + ")";
-    require(!link.parent || *link.parent < i, where + ": its parent must come before it");
-    require(is_unit(link.joint.axis), where + ": the axis of its joint must be a unit vector");
-    require(link.joint.low <= link.joint.high, where + ": the limits of its joint are out of order");
-  }
+  for (std::size_t i = 0; i < robot.links.size(); ++i) require_sound(robot.links[i], i);
   require(robot.control_point.link < robot.links.size(), "the control point is on no link");
+  require(robot.control_point.position.allFinite(), "the control point has no finite position");
   for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
     const RangeSensor& sensor = robot.sensors[i];
     const std::string where = "sensor " + std::to_string(i);
     require(sensor.link < robot.links.size(), where + ": is on no link");
+    require(sensor.position.allFinite(), where + ": has no finite position");
     require(is_unit(sensor.axis), where + ": its axis must be a unit vector");
     require(sensor.range > 0, where + ": its range must be positive");
   }
@@ -64,6 +82,7 @@ Robot point_robot(const PointRobotOptions& options) {
           if (std::abs(x) + std::abs(y) + std::abs(z) == corners)
             robot.sensors.push_back(
                 {3, Eigen::Vector3d::Zero(), Eigen::Vector3d(x, y, z).normalized(), options.sensing_range});
+  require_sound(robot);
   return robot;
 }
 

@@ -66,8 +66,9 @@ struct Robot {
 };
 
 /// Throws std::invalid_argument, with one line that says what and where, when a link's parent does not come
-/// before it, an axis is no unit vector, a range or ceiling is not positive, limits are out of order, or a
-/// link of the control point or of a sensor does not exist.
+/// before it, a mounting is not rigid, an axis is no unit vector, a position is not finite, a range or
+/// ceiling is not positive, a radius is negative, limits are out of order, or a link of the control point or
+/// of a sensor does not exist.
 void require_sound(const Robot&);
 
 /// What the mobile point robot of thesis §4.3 is made of.
@@ -80,7 +81,8 @@ struct PointRobotOptions {
 
 /// The mobile point robot (thesis §4.3): three orthogonal prismatic joints, the control point at its centre,
 /// and 26 sensors there, whose axes are the directions from a cube's centre to its 6 faces, 12 edges and 8
-/// corners, in this order. A configuration is the control point's position in the world.
+/// corners, in this order. A configuration is the control point's position in the world. Precondition: the
+/// heading is not zero. Throws std::invalid_argument when the range or the ceiling is not positive.
 Robot point_robot(const PointRobotOptions&);
 
 }  // namespace limpet::kinematics

@@ -1,0 +1,93 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <stdexcept>
+
+#include "robots.hpp"
+
+namespace limpet::kinematics {
+namespace {
+
+using Eigen::Vector3d;
+
+int coordinates_not_zero(const Vector3d& v) { return static_cast<int>((v.array().abs() > 1e-12).count()); }
+
+TEST(PointRobot, HasTheDirectionsOfFacesEdgesAndCornersOfACube) {
+  const Robot robot = point_robot({});
+  ASSERT_EQ(robot.sensors.size(), 26u);
+  for (std::size_t i = 0; i < 26; ++i) {
+    const RangeSensor& sensor = robot.sensors[i];
+    EXPECT_EQ(coordinates_not_zero(sensor.axis), i < 6 ? 1 : i < 18 ? 2 : 3);
+    EXPECT_NEAR(sensor.axis.norm(), 1, 1e-15);
+    EXPECT_NEAR(sensor.axis.cwiseAbs().maxCoeff() * std::sqrt(coordinates_not_zero(sensor.axis)), 1, 1e-15);
+    EXPECT_EQ(sensor.range, 0.2);
+    for (std::size_t j = 0; j < i; ++j) EXPECT_LT(sensor.axis.dot(robot.sensors[j].axis), 0.9);
+  }
+}
+
+TEST(PointRobot, IsWhereItsConfigurationSaysAndTurnedAsItHeads) {
+  survey::Random random(7);
+  const Eigen::Quaterniond heading(testing::random_pose(random).linear());
+  const Robot robot = point_robot({.sensing_range = 0.3, .ceiling = 0.07, .heading = heading});
+  const Vector3d place(3, -2, 0.5);
+  const Posture posture(robot, place);
+  EXPECT_EQ(robot.joint_count(), 3u);
+  EXPECT_EQ(robot.ceilings.prismatic, 0.07);
+  EXPECT_EQ(posture.control_point(), place);
+  EXPECT_TRUE(posture.jacobian().isIdentity(1e-15));
+  for (std::size_t i = 0; i < 26; ++i) {
+    EXPECT_EQ(posture.sensor(i).position, place);
+    EXPECT_TRUE(posture.sensor(i).axis.isApprox(heading * robot.sensors[i].axis, 1e-12));
+  }
+  EXPECT_TRUE(actuator_changes(posture, Vector3d(0.7, 0, 0)).isApprox(Vector3d(0.07, 0, 0)));
+}
+
+TEST(PointRobot, NeedsARangeAndACeiling) {
+  EXPECT_THROW(point_robot({.sensing_range = 0}), std::invalid_argument);
+  EXPECT_THROW(point_robot({.ceiling = -1}), std::invalid_argument);
+}
+
+/// What require_sound says of a point robot with one thing spoilt; empty: nothing.
+std::string complaint(const std::function<void(Robot&)>& spoil) {
+  Robot robot = point_robot({});
+  spoil(robot);
+  try {
+    require_sound(robot);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(RequireSound, SaysWhatIsWrongAndWhere) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(complaint([](Robot&) {}), "");
+  EXPECT_EQ(complaint([](Robot& r) { r.links[1].parent = 1; }), "link 1 (y): its parent must come before it");
+  EXPECT_EQ(complaint([](Robot& r) { r.links[3].mounting.linear() *= 2; }),
+            "link 3 (body): its mounting must be a finite translation and a rotation");
+  EXPECT_EQ(complaint([](Robot& r) { r.links[3].mounting.linear() *= -1; }),
+            "link 3 (body): its mounting must be a finite translation and a rotation");
+  EXPECT_EQ(complaint([](Robot& r) { r.links[2].joint.axis = Vector3d(1, 1, 0); }),
+            "link 2 (z): the axis of its joint must be a unit vector");
+  EXPECT_EQ(complaint([](Robot& r) { r.links[0].joint.low = 1, r.links[0].joint.high = 0; }),
+            "link 0 (x): the limits of its joint are out of order");
+  EXPECT_EQ(complaint([](Robot& r) {
+              r.links[0].body.push_back({Vector3d::Zero(), Vector3d::Zero(), -1});
+            }).substr(0, 33),
+            "link 0 (x): a part of its body mu");
+  EXPECT_EQ(complaint([](Robot& r) { r.control_point.link = 4; }), "the control point is on no link");
+  EXPECT_EQ(complaint([=](Robot& r) { r.control_point.position.x() = nan; }),
+            "the control point has no finite position");
+  EXPECT_EQ(complaint([](Robot& r) { r.sensors[5].link = 9; }), "sensor 5: is on no link");
+  EXPECT_EQ(complaint([=](Robot& r) { r.sensors[5].position.y() = nan; }),
+            "sensor 5: has no finite position");
+  EXPECT_EQ(complaint([](Robot& r) { r.sensors[5].axis.setZero(); }),
+            "sensor 5: its axis must be a unit vector");
+  EXPECT_EQ(complaint([=](Robot& r) { r.sensors[25].range = nan; }), "sensor 25: its range must be positive");
+  EXPECT_EQ(complaint([](Robot& r) { r.ceilings.revolute_rad = 0; }), "ceilings must be positive");
+  EXPECT_EQ(complaint([](Robot& r) { r = Robot(); }), "the control point is on no link");
+}
+
+}  // namespace
+}  // namespace limpet::kinematics
