@@ -4,6 +4,7 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cmath>
 #include <limpet/simulation/ray_caster.hpp>
 
 namespace limpet::simulation {
@@ -54,6 +55,10 @@ std::optional<RayCaster::Hit> RayCaster::first_hit(const Vector3d& source, const
   if (approach >= 0) return std::nullopt;
   const double range = (plane.centroid - source).dot(plane.normal) / approach;
   return Hit{source + range * direction, range, face};
+}
+
+double RayCaster::distance(const Vector3d& from) const {
+  return std::sqrt(inside_->tree.squared_distance(point(from)));
 }
 
 }  // namespace limpet::simulation

@@ -8,7 +8,7 @@
 
 namespace limpet::simulation {
 
-/// Finds what a ray meets first on a mesh.
+/// Finds what a ray meets first on a mesh, and how far the mesh is.
 class RayCaster {
  public:
   explicit RayCaster(const Mesh& mesh);
@@ -25,6 +25,9 @@ class RayCaster {
   /// The first point of the surface along the ray, if the ray meets it from outside: a surface seen from its
   /// back hides what is behind it but gives no hit. Precondition: `direction` is a unit vector.
   std::optional<Hit> first_hit(const Eigen::Vector3d& source, const Eigen::Vector3d& direction) const;
+
+  /// Distance from a place to the surface, to rounding.
+  double distance(const Eigen::Vector3d& from) const;
 
  private:
   struct Inside;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limpet/simulation/raster.hpp>
 #include <limpet/simulation/scene.hpp>
+#include <limpet/simulation/surface_places.hpp>
 #include <limpet/survey/random.hpp>
 
 namespace limpet::simulation {
@@ -65,27 +66,12 @@ Vector3d tilted(const Vector3d& axis, survey::Random& random) {
 
 void scan_sampled(const Mesh& mesh, const ScanOptions& options, const Take& take) {
   const std::vector<Face> faces = faces_of(mesh);
-  std::vector<double> area_up_to;  // and with each triangle
-  double total = 0;
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
-    area_up_to.push_back(total += area_vector(mesh, t).norm());
-  if (!(total > 0)) throw MeshError("the surface has no area");
-
+  const SurfacePlaces places(mesh);
   Sensor sensor(mesh, options);
   survey::Random random(options.seed ^ 0x73616d706c656421u);
   for (std::int64_t i = 0; i < options.points; ++i) {
-    const auto at = std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, random.uniform() * total);
-    const int triangle = static_cast<int>(at - area_up_to.begin());
+    const auto [position, triangle] = places.next(random);
     const int face = mesh.face_of_triangle[triangle];
-    double s = random.uniform();
-    double t = random.uniform();
-    if (s + t > 1) {
-      s = 1 - s;
-      t = 1 - t;
-    }
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    const Vector3d& origin = mesh.vertices[a];
-    const Vector3d position = origin + s * (mesh.vertices[b] - origin) + t * (mesh.vertices[c] - origin);
     take(sensor.read(position, tilted(-faces[face].normal, random), 0, face));
   }
 }

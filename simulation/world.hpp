@@ -17,6 +17,9 @@ class World {
   struct Sighting {
     double distance = 0;          ///< along the axis
     double incidence_cosine = 1;  ///< of the angle between the axis and the inward normal; 1 where unknown
+    /// From the place on the axis at this distance to the surface point that is seen, at a right angle to the
+    /// axis. Zero, but for a range image, whose points are near an axis and not on it.
+    Eigen::Vector3d aside = Eigen::Vector3d::Zero();
   };
   /// The first surface within `range`, if it is seen from outside. Precondition: `axis` is a unit vector.
   virtual std::optional<Sighting> sight(const Eigen::Vector3d& from, const Eigen::Vector3d& axis,
