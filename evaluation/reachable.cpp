@@ -1,0 +1,136 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/evaluation/reachable.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limpet/evaluation/region.hpp>
+#include <stdexcept>
+
+namespace limpet::evaluation {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kGrazing = 1e-6;  // a smaller cosine is no incidence
+constexpr double kLift = 1e-9;     // off the surface, as a fraction of the range, before one looks along a ray
+
+/// The axes that meet a face from outside, the steepest first: it most often sees.
+std::vector<Vector3d> axes_onto(const Vector3d& normal, const std::vector<Vector3d>& axes) {
+  std::vector<Vector3d> onto;
+  for (const Vector3d& axis : axes)
+    if (axis.dot(normal) < -kGrazing) onto.push_back(axis);
+  std::stable_sort(onto.begin(), onto.end(), [&](const Vector3d& a, const Vector3d& b) {
+    return a.dot(normal) < b.dot(normal);
+  });
+  return onto;
+}
+
+class Search {
+ public:
+  Search(const TrueSurface& truth, const FreeSpace& space, double range)
+      : truth_(truth), space_(space), range_(range) {}
+
+  /// Looks for a place that sees `at` along one of the axes, and leaves it in `from`.
+  Verdict sighted(const Vector3d& at, const std::vector<Vector3d>& axes, Vector3d& from) const {
+    Verdict best = Verdict::no;
+    for (const Vector3d& axis : axes) {
+      best = std::max(best, sighted_along(at, axis, from));
+      if (best == Verdict::yes) break;
+    }
+    return best;
+  }
+
+ private:
+  Verdict sighted_along(const Vector3d& at, const Vector3d& axis, Vector3d& from) const {
+    const double least_step = space_.pitch() / 8, lift = kLift * range_;
+    const double free = truth_.first_crossing(at - lift * axis, -axis).value_or(range_) + lift;
+    const double end = std::min(range_, free);
+    Verdict best = Verdict::no;
+    for (double t = space_.clearance(); t <= end;) {  // nothing nearer keeps the clearance from `at`
+      const Vector3d place = at - t * axis;
+      const double lacking = space_.clearance() - truth_.distance(place);
+      if (lacking <= 0) best = std::max(best, space_.connects(place));
+      if (best == Verdict::yes) {
+        from = place;
+        break;
+      }
+      if (t == end) break;
+      t = std::min(end, t + std::max(lacking, least_step));
+    }
+    return best;
+  }
+
+  const TrueSurface& truth_;
+  const FreeSpace& space_;
+  double range_;
+};
+
+void sum_up(Reachability& result) {
+  double area = 0;
+  for (std::size_t i = 0; i < result.samples.size(); ++i) {
+    const SurfaceSample& sample = result.samples[i];
+    Reachability::Face& face = result.faces[static_cast<std::size_t>(sample.face)];
+    area += sample.area;
+    face.area += sample.area;
+    if (result.verdicts[i] == Verdict::yes) result.share += sample.area, face.share += sample.area;
+    if (result.verdicts[i] == Verdict::doubtful) result.doubtful += sample.area, face.doubtful += sample.area;
+  }
+  if (area > 0) result.share /= area, result.doubtful /= area;
+  for (Reachability::Face& face : result.faces)
+    if (face.area > 0) face.share /= face.area, face.doubtful /= face.area;
+}
+
+}  // namespace
+
+std::vector<SurfaceSample> samples_of(const simulation::Mesh& mesh, double spacing) {
+  std::vector<SurfaceSample> samples;
+  const std::vector<simulation::Face> faces = simulation::faces_of(mesh);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::vector<Triangle3> triangles;
+    for (const int t : faces[f].triangles) {
+      const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(t)];
+      triangles.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    }
+    const int count = std::max(1, static_cast<int>(std::ceil(faces[f].area / (spacing * spacing))));
+    for (const Vector3d& at : spread_over(triangles, count))
+      samples.push_back({at, faces[f].normal, static_cast<int>(f), faces[f].area / count});
+  }
+  return samples;
+}
+
+Sensing sensing_of(const kinematics::Posture& posture) {
+  Sensing sensing;
+  for (std::size_t i = 0; i < posture.robot().sensors.size(); ++i) {
+    const auto sensor = posture.sensor(i);
+    if ((sensor.position - posture.control_point()).norm() > 1e-9)
+      throw std::invalid_argument("sensor " + std::to_string(i) + " is not at the control point");
+    if (i > 0 && sensor.range != sensing.range)
+      throw std::invalid_argument("the ranges of the sensors differ");
+    sensing.axes.push_back(sensor.axis);
+    sensing.range = sensor.range;
+  }
+  if (sensing.axes.empty()) throw std::invalid_argument("the robot has no sensors");
+  return sensing;
+}
+
+Reachability find_reachable(const simulation::Mesh& mesh, const TrueSurface& truth, const FreeSpace& space,
+                            const Sensing& sensing, double spacing) {
+  Reachability result;
+  result.samples = samples_of(mesh, spacing);
+  result.spacing = spacing;
+  result.faces.resize(static_cast<std::size_t>(mesh.face_count));
+  const Search search(truth, space, sensing.range);
+  std::vector<Vector3d> axes;
+  int face = -1;
+  for (const SurfaceSample& sample : result.samples) {
+    if (sample.face != face) axes = axes_onto(sample.normal, sensing.axes);
+    face = sample.face;
+    Vector3d from = sample.at;
+    result.verdicts.push_back(search.sighted(sample.at, axes, from));
+    result.seen_from.push_back(from);
+  }
+  sum_up(result);
+  return result;
+}
+
+}  // namespace limpet::evaluation
