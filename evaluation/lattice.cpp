@@ -13,8 +13,7 @@ const double kHalfDiagonal = std::sqrt(3.0) / 2;  // of a cell, in pitches
 Lattice::Lattice(const TrueSurface& truth, const Eigen::Vector3d& low, const Eigen::Vector3d& high,
                  double clearance, double pitch)
     : low_(low), clearance_(clearance), pitch_(pitch) {
-  for (int i = 0; i < 3; ++i)
-    bricks_[i] = static_cast<int>(std::floor((high[i] - low[i]) / (8 * pitch))) + 1;
+  for (int i = 0; i < 3; ++i) bricks_[i] = static_cast<int>(std::floor((high[i] - low[i]) / (8 * pitch))) + 1;
   const std::size_t count = static_cast<std::size_t>(bricks_.cast<std::int64_t>().prod());
   dense_of_.assign(count, kUniform);
   uniform_.assign(count, 0);

@@ -12,16 +12,15 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kGrazing = 1e-6;  // a smaller cosine is no incidence
-constexpr double kLift = 1e-9;     // off the surface, as a fraction of the range, before one looks along a ray
+constexpr double kLift = 1e-9;  // off the surface, as a fraction of the range, before one looks along a ray
 
 /// The axes that meet a face from outside, the steepest first: it most often sees.
 std::vector<Vector3d> axes_onto(const Vector3d& normal, const std::vector<Vector3d>& axes) {
   std::vector<Vector3d> onto;
   for (const Vector3d& axis : axes)
     if (axis.dot(normal) < -kGrazing) onto.push_back(axis);
-  std::stable_sort(onto.begin(), onto.end(), [&](const Vector3d& a, const Vector3d& b) {
-    return a.dot(normal) < b.dot(normal);
-  });
+  std::stable_sort(onto.begin(), onto.end(),
+                   [&](const Vector3d& a, const Vector3d& b) { return a.dot(normal) < b.dot(normal); });
   return onto;
 }
 
@@ -31,30 +30,36 @@ class Search {
       : truth_(truth), space_(space), range_(range) {}
 
   /// Looks for a place that sees `at` along one of the axes, and leaves it in `from`.
-  Verdict sighted(const Vector3d& at, const std::vector<Vector3d>& axes, Vector3d& from) const {
+  Verdict sighted(const Vector3d& at, const Vector3d& normal, const std::vector<Vector3d>& axes,
+                  Vector3d& from) const {
     Verdict best = Verdict::no;
     for (const Vector3d& axis : axes) {
-      best = std::max(best, sighted_along(at, axis, from));
+      const double lift = kLift * range_;
+      const double free = truth_.first_crossing(at - lift * axis, -axis).value_or(range_) + lift;
+      const double end = std::min(range_, free);
+      const double guess =
+          space_.clearance() / -axis.dot(normal) + space_.pitch();  // where nothing else is near
+      if (guess <= end && is_held(at, axis, guess, from)) return Verdict::yes;
+      best = std::max(best, sighted_along(at, axis, end, from));
       if (best == Verdict::yes) break;
     }
     return best;
   }
 
  private:
-  Verdict sighted_along(const Vector3d& at, const Vector3d& axis, Vector3d& from) const {
-    const double least_step = space_.pitch() / 8, lift = kLift * range_;
-    const double free = truth_.first_crossing(at - lift * axis, -axis).value_or(range_) + lift;
-    const double end = std::min(range_, free);
+  bool is_held(const Vector3d& at, const Vector3d& axis, double t, Vector3d& from) const {
+    from = at - t * axis;
+    return space_.holds(from) == Verdict::yes;
+  }
+
+  Verdict sighted_along(const Vector3d& at, const Vector3d& axis, double end, Vector3d& from) const {
+    const double least_step = space_.pitch() / 8;
     Verdict best = Verdict::no;
     for (double t = space_.clearance(); t <= end;) {  // nothing nearer keeps the clearance from `at`
-      const Vector3d place = at - t * axis;
-      const double lacking = space_.clearance() - truth_.distance(place);
-      if (lacking <= 0) best = std::max(best, space_.connects(place));
-      if (best == Verdict::yes) {
-        from = place;
-        break;
-      }
-      if (t == end) break;
+      from = at - t * axis;
+      const double lacking = space_.clearance() - truth_.distance(from);
+      if (lacking <= 0) best = std::max(best, space_.connects(from));
+      if (best == Verdict::yes || t == end) break;
       t = std::min(end, t + std::max(lacking, least_step));
     }
     return best;
@@ -125,9 +130,9 @@ Reachability find_reachable(const simulation::Mesh& mesh, const TrueSurface& tru
   for (const SurfaceSample& sample : result.samples) {
     if (sample.face != face) axes = axes_onto(sample.normal, sensing.axes);
     face = sample.face;
-    Vector3d from = sample.at;
-    result.verdicts.push_back(search.sighted(sample.at, axes, from));
-    result.seen_from.push_back(from);
+    Vector3d from;
+    result.verdicts.push_back(search.sighted(sample.at, sample.normal, axes, from));
+    result.seen_from.push_back(result.verdicts.back() == Verdict::yes ? from : sample.at);
   }
   sum_up(result);
   return result;

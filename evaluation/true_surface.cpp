@@ -6,6 +6,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/squared_distance_3.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limpet/evaluation/nearest.hpp>
@@ -93,8 +94,8 @@ double TrueSurface::distance_of_edges(const Vector3d& a, const Vector3d& b, doub
   double least2 = within * within;
   for (const auto& triangle : near)
     for (int i = 0; i < 3; ++i)
-      least2 = std::min(least2, CGAL::squared_distance(way, Plain::Segment_3(plain((*triangle)[i]),
-                                                                             plain((*triangle)[i + 1]))));
+      least2 = std::min(least2, CGAL::squared_distance(
+                                    way, Plain::Segment_3(plain((*triangle)[i]), plain((*triangle)[i + 1]))));
   return std::sqrt(least2);
 }
 
