@@ -200,6 +200,16 @@ std::vector<Vector3d> FreeSpace::way(const Vector3d& from, const Vector3d& to) c
   return inside_->shortened(places);
 }
 
+std::vector<Vector3d> FreeSpace::places_at(double distance) const {
+  std::vector<Vector3d> places;
+  const double reach = pitch() / 2;
+  inside_->lattice.for_each(inside_->truth, Lattice::kReached, distance + reach, [&](const Node& node) {
+    const Vector3d place = inside_->lattice.place(node);
+    if (std::abs(inside_->truth.distance(place) - distance) <= reach) places.push_back(place);
+  });
+  return places;
+}
+
 double length_of(const std::vector<Vector3d>& way) {
   double length = 0;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) length += (way[i + 1] - way[i]).norm();

@@ -24,7 +24,7 @@ struct FreeSpaceOptions {
 };
 
 /// Where a point robot can get to: the part of space that keeps a distance from the true surface and is
-/// connected to the start (DESIGN: "connected free space of the start").
+/// connected to the start.
 ///
 /// Connections are looked for on a cubic lattice, twice. Ways along its edges, each checked exactly, *prove*
 /// that a place can be got to. Where not even the cells that may hold a free place are connected, it is
@@ -53,6 +53,9 @@ class FreeSpace {
   /// A way between two places that are held without doubt: straight if that keeps the clearance, else over
   /// the lattice, with what can be cut short cut short. Both ends included. Empty: there is none.
   std::vector<Eigen::Vector3d> way(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+  /// The places of the lattice that are held without doubt and no farther than half a pitch nearer to or
+  /// farther from the surface than `distance`: an even cover of the surface's offset.
+  std::vector<Eigen::Vector3d> places_at(double distance) const;
 
  private:
   struct Inside;

@@ -102,4 +102,16 @@ void Lattice::leave(const Node& node,
   }
 }
 
+void Lattice::for_each(const TrueSurface& truth, Flags flag, double within,
+                       const std::function<void(const Node&)>& visit) const {
+  const double reach = 7 * kHalfDiagonal * pitch_;
+  for (int b = 0; b < bricks_.prod(); ++b) {
+    const Node first =
+        8 * Node(b % bricks_.x(), b / bricks_.x() % bricks_.y(), b / bricks_.x() / bricks_.y());
+    if (truth.distance(place(first) + Eigen::Vector3d::Constant(3.5 * pitch_)) - reach > within) continue;
+    for (int k = 0; k < 512; ++k)
+      if (const Node node = first + Node(k % 8, k / 8 % 8, k / 64); (flags(node) & flag) != 0) visit(node);
+  }
+}
+
 }  // namespace limpet::evaluation

@@ -47,6 +47,10 @@ class Lattice {
   /// set of flags.
   void leave(const Node& node, const std::function<void(const Node& from, const Node& to)>& visit) const;
 
+  /// Goes through all nodes that have a flag and may be nearer to the surface than `within`.
+  void for_each(const TrueSurface&, Flags flag, double within,
+                const std::function<void(const Node&)>& visit) const;
+
  private:
   using Brick = std::array<Flags, 512>;
   static constexpr std::int32_t kUniform = -1;

@@ -15,12 +15,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kReadings = 3;   // per λ²
+constexpr double kSquare = 2;     // in λ: the size of the squares that readings are counted in
 constexpr double kLinking = 0.9;  // in λ: how near a reading must be
 
 using Square = std::array<int, 3>;  // a face, and where on it
 
-/// Square grids of pitch λ on the faces.
+/// Square grids on the faces.
 class Squares {
  public:
   Squares(const std::vector<simulation::Face>& faces, double pitch) : faces_(faces), pitch_(pitch) {}
@@ -42,21 +42,29 @@ struct Candidate {
   std::vector<simulation::RayCaster::Hit> readings;
 };
 
-std::vector<Candidate> candidates_of(const simulation::Mesh& mesh, const FreeSpace& space,
-                                     const Reachability& truth, const Sensing& sensing,
-                                     const TourOptions& options) {
-  const simulation::RayCaster caster(mesh);
-  std::vector<Candidate> candidates;
+/// Places for candidates: on the offset surface, and beside the samples that it is too narrow for.
+std::vector<Vector3d> places_of(const FreeSpace& space, const Reachability& truth,
+                                const TourOptions& options) {
+  std::vector<Vector3d> places = space.places_at(options.follow_distance);
   // Every k-th sample of a low-discrepancy sequence is spread as evenly, √k times as far apart.
   const double ratio = options.resolution / (2 * truth.spacing);
   const std::size_t stride = static_cast<std::size_t>(std::max(1.0, std::floor(ratio * ratio + 0.5)));
   for (std::size_t i = 0; i < truth.samples.size(); i += stride) {
     if (truth.verdicts[i] != Verdict::yes) continue;
-    Candidate& candidate = candidates.emplace_back();
-    candidate.at = truth.samples[i].at + options.follow_distance * truth.samples[i].normal;
-    if (space.holds(candidate.at) != Verdict::yes) candidate.at = truth.seen_from[i];
+    const Vector3d above = truth.samples[i].at + options.follow_distance * truth.samples[i].normal;
+    if (space.holds(above) != Verdict::yes) places.push_back(truth.seen_from[i]);
+  }
+  return places;
+}
+
+std::vector<Candidate> candidates_of(const simulation::Mesh& mesh, const std::vector<Vector3d>& places,
+                                     const Sensing& sensing) {
+  const simulation::RayCaster caster(mesh);
+  std::vector<Candidate> candidates;
+  for (const Vector3d& place : places) {
+    Candidate& candidate = candidates.emplace_back(Candidate{place, {}});
     for (const Vector3d& axis : sensing.axes)
-      if (const auto hit = caster.first_hit(candidate.at, axis); hit && hit->range <= sensing.range)
+      if (const auto hit = caster.first_hit(place, axis); hit && hit->range <= sensing.range)
         candidate.readings.push_back(*hit);
   }
   return candidates;
@@ -68,7 +76,7 @@ struct SquareDemand {
   std::vector<int> readings;
 };
 
-SquareDemand demand_of(const Reachability& truth, const Squares& squares, double resolution) {
+SquareDemand demand_of(const Reachability& truth, const Squares& squares, const TourOptions& options) {
   std::map<Square, double> area;
   for (std::size_t i = 0; i < truth.samples.size(); ++i)
     if (truth.verdicts[i] == Verdict::yes)
@@ -76,8 +84,8 @@ SquareDemand demand_of(const Reachability& truth, const Squares& squares, double
   SquareDemand demand;
   for (const auto& [square, reachable] : area) {
     demand.index.emplace(square, demand.readings.size());
-    demand.readings.push_back(
-        static_cast<int>(std::floor(kReadings * reachable / (resolution * resolution) + 0.5)));
+    const double asked = options.density * reachable / (options.resolution * options.resolution);
+    demand.readings.push_back(static_cast<int>(std::floor(asked + 0.5)));
   }
   return demand;
 }
@@ -95,67 +103,84 @@ Offers offers_of(const std::vector<Candidate>& candidates, const SquareDemand& d
   return offers;
 }
 
-/// Reachable samples that no reading is near enough to yet, by square.
-class Unlinked {
+/// Reachable samples, and which of them have a reading near enough.
+class Links {
  public:
-  Unlinked(const Reachability& truth, const Squares& squares, double resolution)
-      : truth_(truth), squares_(squares), reach_(kLinking * resolution) {
+  Links(const Reachability& truth, const Squares& squares, double resolution)
+      : truth_(truth), squares_(squares), reach_(kLinking * resolution), linked_(truth.samples.size(), 0) {
     for (std::size_t i = 0; i < truth.samples.size(); ++i)
       if (truth.verdicts[i] == Verdict::yes)
         in_[squares.of(truth.samples[i].face, truth.samples[i].at)].push_back(i);
   }
 
-  /// The samples that a candidate's readings link.
-  std::vector<std::size_t> linked_by(const Candidate& candidate) const {
-    std::vector<std::size_t> linked;
-    for (const auto& reading : candidate.readings) {
-      const auto [face, x, y] = squares_.of(reading.face, reading.position);
-      for (int k = 0; k < 9; ++k) {
-        const auto square = in_.find({face, x + k % 3 - 1, y + k / 3 - 1});
-        if (square == in_.end()) continue;
-        for (const std::size_t i : square->second)
-          if ((truth_.samples[i].at - reading.position).norm() <= reach_) linked.push_back(i);
-      }
-    }
-    std::sort(linked.begin(), linked.end());
-    linked.erase(std::unique(linked.begin(), linked.end()), linked.end());
-    return linked;
+  /// The samples that a candidate's readings would link and that are not linked.
+  std::vector<std::size_t> offered_by(const Candidate& candidate) const {
+    std::vector<std::size_t> offered;
+    for (const auto& reading : candidate.readings) add_offered(reading, offered);
+    std::sort(offered.begin(), offered.end());
+    offered.erase(std::unique(offered.begin(), offered.end()), offered.end());
+    return offered;
   }
 
   void link(const Candidate& candidate) {
-    const std::vector<std::size_t> linked = linked_by(candidate);
-    for (auto& [square, samples] : in_)
-      std::erase_if(samples,
-                    [&](std::size_t i) { return std::binary_search(linked.begin(), linked.end(), i); });
+    for (const std::size_t i : offered_by(candidate)) linked_[i] = 1;
   }
 
-  double area() const {
-    double sum = 0;
+  /// Share of the reachable area that is not linked.
+  double lacking() const {
+    double all = 0, missed = 0;
     for (const auto& [square, samples] : in_)
-      for (const std::size_t i : samples) sum += truth_.samples[i].area;
-    return sum;
+      for (const std::size_t i : samples) {
+        all += truth_.samples[i].area;
+        if (!linked_[i]) missed += truth_.samples[i].area;
+      }
+    return all > 0 ? missed / all : 0;
   }
 
  private:
+  void add_offered(const simulation::RayCaster::Hit& reading, std::vector<std::size_t>& offered) const {
+    const auto [face, x, y] = squares_.of(reading.face, reading.position);
+    for (int k = 0; k < 9; ++k) {
+      const auto square = in_.find({face, x + k % 3 - 1, y + k / 3 - 1});
+      if (square == in_.end()) continue;
+      for (const std::size_t i : square->second)
+        if (!linked_[i] && (truth_.samples[i].at - reading.position).norm() <= reach_) offered.push_back(i);
+    }
+  }
+
   const Reachability& truth_;
   const Squares& squares_;
   double reach_;
+  std::vector<char> linked_;
   std::map<Square, std::vector<std::size_t>> in_;
 };
 
 /// Adds candidates until all samples that can be are linked.
-void add_links(const std::vector<Candidate>& candidates, Unlinked& unlinked, std::size_t samples,
+void add_links(const std::vector<Candidate>& candidates, Links& links, std::size_t samples,
                std::vector<std::size_t>& chosen) {
-  for (const std::size_t i : chosen) unlinked.link(candidates[i]);
+  for (const std::size_t i : chosen) links.link(candidates[i]);
   Offers offers;
-  for (const Candidate& candidate : candidates) offers.push_back(unlinked.linked_by(candidate));
+  for (const Candidate& candidate : candidates) offers.push_back(links.offered_by(candidate));
   for (const std::size_t i : greedy_cover(offers, std::vector<int>(samples, 1))) {
-    unlinked.link(candidates[i]);
+    links.link(candidates[i]);
     chosen.push_back(i);
   }
 }
 
-void travel(OfflineTour& result, std::vector<Vector3d> places, const TrueSurface& truth,
+/// Puts the start first; one that is too near to the surface to be left straight gives way to the place that
+/// is nearest to it.
+void begin_at(const Vector3d& start, const FreeSpace& space, std::vector<Vector3d>& places) {
+  if (places.empty() || space.holds(start) == Verdict::yes) {
+    places.insert(places.begin(), start);
+    return;
+  }
+  const auto nearer = [&](const Vector3d& a, const Vector3d& b) {
+    return (a - start).squaredNorm() < (b - start).squaredNorm();
+  };
+  std::iter_swap(places.begin(), std::min_element(places.begin(), places.end(), nearer));
+}
+
+void travel(OfflineTour& result, const std::vector<Vector3d>& places, const TrueSurface& truth,
             const FreeSpace& space, double max_step) {
   const ShortTour tour = short_tour(places, truth, space);
   for (const std::size_t i : tour.order) result.positions.push_back(places[i]);
@@ -171,22 +196,21 @@ OfflineTour offline_tour(const simulation::Mesh& mesh, const TrueSurface& truth,
                          const Reachability& reachability, const Sensing& sensing,
                          const TourOptions& options) {
   const std::vector<simulation::Face> faces = simulation::faces_of(mesh);
-  const Squares squares(faces, options.resolution);
-  const std::vector<Candidate> candidates = candidates_of(mesh, space, reachability, sensing, options);
-  const SquareDemand demand = demand_of(reachability, squares, options.resolution);
+  const Squares squares(faces, kSquare * options.resolution);
+  const std::vector<Candidate> candidates =
+      candidates_of(mesh, places_of(space, reachability, options), sensing);
+  const SquareDemand demand = demand_of(reachability, squares, options);
   std::vector<std::size_t> chosen = greedy_cover(offers_of(candidates, demand, squares), demand.readings);
-  Unlinked unlinked(reachability, squares, options.resolution);
-  add_links(candidates, unlinked, reachability.samples.size(), chosen);
+  Links links(reachability, squares, options.resolution);
+  add_links(candidates, links, reachability.samples.size(), chosen);
 
   OfflineTour result;
   result.sets = chosen.size();
-  std::vector<Vector3d> places{options.start};
+  result.unlinked = links.lacking();
+  std::vector<Vector3d> places;
   for (const std::size_t i : chosen) places.push_back(candidates[i].at);
-  travel(result, std::move(places), truth, space, options.max_step);
-  double reachable = 0;
-  for (std::size_t i = 0; i < reachability.samples.size(); ++i)
-    if (reachability.verdicts[i] == Verdict::yes) reachable += reachability.samples[i].area;
-  if (reachable > 0) result.unlinked = unlinked.area() / reachable;
+  begin_at(options.start, space, places);
+  travel(result, places, truth, space, options.max_step);
   return result;
 }
 
