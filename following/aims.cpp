@@ -12,10 +12,10 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kTargetsAimedAt = 10;
 constexpr std::size_t kCandidates = 48;
-constexpr double kGrazing = 0.34;                     ///< least cosine of incidence: 70°
-constexpr std::array<double, 2> kHeights = {1, 1.4};  ///< δ over the expected surface
-constexpr double kSamePlace = 0.1;                    ///< λ
-constexpr double kMeets = 0.5;                        ///< λ between a reading and a target that it serves
+constexpr double kGrazing = 0.34;                            ///< least cosine of incidence: 70°
+constexpr std::array<double, 3> kHeights = {0.8, 1.1, 1.5};  ///< δ over the expected surface
+constexpr double kSamePlace = 0.1;                           ///< λ
+constexpr double kMeets = 0.5;  ///< λ between a reading and a target that it serves
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void AimChooser::add_candidates(const std::vector<Target>& targets) {
   if (candidates_.size() > kCandidates) candidates_.resize(kCandidates);
 }
 
-/// The weights of the targets met from a place, each by the axis that comes nearest to it.
+/// The weights of the targets met from a place, less where an axis passes beside them.
 double AimChooser::worth(const Vector3d& place, const std::vector<Target>& targets) {
   ++place_number_;
   double sum = 0;
@@ -90,7 +90,7 @@ double AimChooser::worth(const Vector3d& place, const std::vector<Target>& targe
           best = d2, found = i;
       if (found == targets.size()) continue;
       met_[found] = place_number_;
-      sum += targets[found].weight;
+      sum += targets[found].weight * (1 - best / (kMeets * kMeets * lambda_ * lambda_));
     }
   return sum;
 }
@@ -111,7 +111,7 @@ std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& 
   met_.assign(targets.size(), 0);
   for (Aim& aim : candidates_) {
     const double steps = std::max(1.0, std::ceil((aim.place - here_).norm() / step_ - 0.05));
-    aim.value = worth(aim.place, targets) / steps;
+    aim.value = worth(aim.place, targets) / std::sqrt(steps);
   }
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Aim& a, const Aim& b) { return a.value > b.value; });

@@ -16,7 +16,7 @@ namespace limpet::following::internal {
 struct Aim {
   Eigen::Vector3d place;
   Target target;
-  double value = 0;  ///< what the readings there are worth, over the steps to get there
+  double value = 0;  ///< what the readings there are worth, over the root of the steps to get there
 };
 
 /// Chooses the place to take the next readings from: places that put a sensing axis exactly through a target

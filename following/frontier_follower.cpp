@@ -20,7 +20,7 @@ using internal::OpenPart;
 using internal::Target;
 using model::View;
 
-constexpr long kOutcomePeriod = 50;  ///< sets
+constexpr long kOutcomePeriod = 20;  ///< sets
 
 class FrontierFollower : public Follower {
  public:
@@ -31,7 +31,9 @@ class FrontierFollower : public Follower {
         finder_(p, memory_),
         visited_(p.resolution) {}
 
-  Marks marks() const override { return {}; }
+  Marks marks() const override {
+    return {{}, open_.edges(internal::PartState::unreachable), open_.edges(internal::PartState::unclosable)};
+  }
 
  protected:
   Motion choose(const Observation&) override;
@@ -103,7 +105,7 @@ void FrontierFollower::find_targets(const Observation& seen) {
   const Vector3d here = seen.posture.control_point();
   targets_.clear();
   open_.near(here, 5 * lambda(), view, parts_);
-  for (const OpenPart& part : parts_) open_.set_wanted(part, finder_.add(view, part, targets_));
+  for (const OpenPart& part : parts_) open_.set(part, finder_.add(view, part, targets_));
   if (!targets_.empty()) return;
   const auto point = view.nearest(here, parameters().sensing_range, {.polygons = false, .initial = false});
   if (point) finder_.add_around_point(view, point->at, here, targets_);

@@ -13,7 +13,7 @@ using model::Change;
 using model::View;
 
 OpenPart OpenEdgeMap::Entry::part(std::uint32_t i) const {
-  const auto count = static_cast<double>(wanted.size());
+  const auto count = static_cast<double>(parts.size());
   const Vector3d step = (to - from) / count;
   OpenPart result;
   result.part = i;
@@ -26,7 +26,7 @@ void OpenEdgeMap::forget(EdgeId id) {
   const auto known = edges_.find(id.value);
   if (known == edges_.end()) return;
   const Entry& entry = known->second;
-  for (std::uint32_t i = 0; i < entry.wanted.size(); ++i)
+  for (std::uint32_t i = 0; i < entry.parts.size(); ++i)
     places_.remove(entry.part(i).middle(), [&](const Place& place) { return place.edge == id.value; });
   edges_.erase(known);
 }
@@ -37,7 +37,7 @@ void OpenEdgeMap::put(EdgeId id, const View& view) {
   if (!edge || edge->partner) return;
   const double parts = std::ceil((edge->to - edge->from).norm() / part_length_);
   const auto count = static_cast<std::uint32_t>(std::max(1.0, parts));
-  const Entry entry{edge->from, edge->to, std::vector<bool>(count, true), false};
+  const Entry entry{edge->from, edge->to, std::vector<PartState>(count, PartState::wanted), false};
   for (std::uint32_t i = 0; i < count; ++i) places_.put(entry.part(i).middle(), {id.value, i});
   edges_[id.value] = entry;
 }
@@ -87,19 +87,29 @@ void OpenEdgeMap::near(const Vector3d& p, double reach, const View& view, std::v
   }
 }
 
-void OpenEdgeMap::set_wanted(const OpenPart& part, bool wanted) {
+void OpenEdgeMap::set(const OpenPart& part, PartState state) {
   if (const auto known = edges_.find(part.edge.value); known != edges_.end())
-    known->second.wanted[part.part] = wanted;
+    known->second.parts[part.part] = state;
 }
 
 void OpenEdgeMap::set_closes(EdgeId id, bool closes) {
   if (const auto known = edges_.find(id.value); known != edges_.end()) known->second.closes = closes;
 }
 
+std::vector<EdgeId> OpenEdgeMap::edges(PartState state) const {
+  std::vector<EdgeId> result;
+  for (const auto& [id, entry] : edges_)
+    if (!entry.closes && std::find(entry.parts.begin(), entry.parts.end(), state) != entry.parts.end())
+      result.push_back({id});
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 bool OpenEdgeMap::any_wanted(const Vector3d& p, double reach) const {
   return places_.any_within(p, reach, [&](const Vector3d&, const Place& place) {
     const auto known = edges_.find(place.edge);
-    return known != edges_.end() && !known->second.closes && known->second.wanted[place.part];
+    return known != edges_.end() && !known->second.closes &&
+           known->second.parts[place.part] == PartState::wanted;
   });
 }
 

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -20,6 +21,14 @@ struct OpenPart {
   Eigen::Vector3d middle() const { return (from + to) / 2; }
 };
 
+/// What there is to be done outside a part of an open edge.
+enum class PartState : std::uint8_t {
+  wanted,       ///< surface is expected there, or it is not known yet
+  done,         ///< what is there is known
+  unreachable,  ///< given up: no position to look from could be reached
+  unclosable    ///< given up: looked at in vain
+};
+
 /// The open edges of the model by place, kept by the changes that updates tell (model::Change).
 class OpenEdgeMap {
  public:
@@ -33,20 +42,21 @@ class OpenEdgeMap {
   /// would close. Edges that are gone are forgotten.
   void near(const Eigen::Vector3d& p, double reach, const model::View&, std::vector<OpenPart>&);
 
-  /// Sets whether a part leaves something to be done. It is assumed of an edge that is new, or has moved.
-  void set_wanted(const OpenPart&, bool wanted);
-  /// Sets whether finishing would close the edge as it is (model::Outcome). It is not assumed of an edge that is
-  /// new, or has moved.
+  /// A part of an edge that is new, or has moved, is wanted.
+  void set(const OpenPart&, PartState);
+  /// Sets whether finishing would close the edge as it is (model::Outcome). It is not assumed of an edge that
+  /// is new, or has moved.
   void set_closes(geometry::EdgeId, bool closes);
-  /// Is there a part within `reach` of p that leaves something to be done?
+  /// Is there a part within `reach` of p that is wanted?
   bool any_wanted(const Eigen::Vector3d& p, double reach) const;
 
-  std::size_t size() const { return edges_.size(); }
+  /// The edges some part of which is in this state, by identity.
+  std::vector<geometry::EdgeId> edges(PartState) const;
 
  private:
   struct Entry {
     Eigen::Vector3d from, to;
-    std::vector<bool> wanted;  ///< of each part
+    std::vector<PartState> parts;
     bool closes = false;
 
     OpenPart part(std::uint32_t i) const;

@@ -20,7 +20,8 @@ class PlaceMemory {
     int blocked = 0;  ///< no position to aim from could be reached
 
     bool is_empty() const { return empty >= kEmpty; }
-    bool is_given_up() const { return failed >= kFailed || blocked >= kBlocked; }
+    bool is_blocked() const { return blocked >= kBlocked; }
+    bool is_given_up() const { return failed >= kFailed || is_blocked(); }
   };
   static constexpr int kEmpty = 2, kFailed = 3, kBlocked = 4;
 

@@ -10,9 +10,9 @@ namespace {
 using Eigen::Vector3d;
 using model::View;
 
-constexpr double kFirst = 0.7;                          ///< λ outside an open edge
+constexpr double kFirst = 0.85;                         ///< λ outside an open edge
 constexpr std::array<double, 2> kFarther = {1.5, 2.4};  ///< λ
-constexpr std::array<double, 2> kFartherWeight = {0.5, 0.25};
+constexpr std::array<double, 2> kFartherWeight = {0.25, 0.1};
 
 /// Rotations about an open edge, towards the inside.
 struct Fold {
@@ -48,43 +48,47 @@ bool TargetFinder::is_cut_off(const View& view, const OpenPart& part, const Vect
   return false;
 }
 
-bool TargetFinder::add_folded(const View& view, const OpenPart& part, const Vector3d& normal,
-                              const Vector3d& outward, std::vector<Target>& targets) const {
+PartState TargetFinder::add_folded(const View& view, const OpenPart& part, const Vector3d& normal,
+                                   const Vector3d& outward, std::vector<Target>& targets) const {
+  PartState state = PartState::unclosable;
   for (const Fold& fold : kFolds) {
     const Vector3d way = fold.cosine * outward - fold.sine * normal;
     const Vector3d at = part.middle() + kFirst * lambda_ * way;
     const Vector3d facing = fold.cosine * normal + fold.sine * outward;
-    if (view.nearest(at, 0.5 * lambda_, {.but = part.segment, .points = false})) return false;  // it is known
-    if (!is_open(at, facing)) continue;
+    if (view.nearest(at, 0.5 * lambda_, {.but = part.segment, .points = false})) return PartState::done;
+    const auto tries = memory_.at(at, facing);
+    if (tries.is_blocked()) state = PartState::unreachable;
+    if (tries.is_empty() || tries.is_given_up()) continue;
     targets.push_back({at, facing, 1});
-    return true;
+    return PartState::wanted;
   }
-  return false;
+  return state;
 }
 
-bool TargetFinder::add(const View& view, const OpenPart& part, std::vector<Target>& targets) {
+PartState TargetFinder::add(const View& view, const OpenPart& part, std::vector<Target>& targets) {
   const auto segment = view.segment(part.segment);
-  if (!segment) return false;
+  if (!segment) return PartState::done;
   const Vector3d normal = segment->plane.normal;
   const Vector3d outward = (part.to - part.from).cross(normal).normalized();
-  if (!outward.allFinite() || outward.isZero()) return false;
+  if (!outward.allFinite() || outward.isZero()) return PartState::done;
   const Vector3d middle = part.middle(), first = middle + kFirst * lambda_ * outward;
-  if (view.nearest(first, 0.4 * lambda_, {.only = part.segment})) return false;  // in a narrow inlet
+  if (view.nearest(first, 0.4 * lambda_, {.only = part.segment}))
+    return PartState::done;  // in a narrow inlet
   view.nearest(first, 1.5 * lambda_, others_, {.but = part.segment, .points = false});
   planes_.clear();
   for (const auto& other : others_) planes_.push_back(*view.segment(other.segment));
-  if (is_cut_off(view, part, normal, first)) return false;
+  if (is_cut_off(view, part, normal, first)) return PartState::done;
 
   const auto tries = memory_.at(first, normal);
   if (tries.is_empty()) return add_folded(view, part, normal, outward, targets);
-  if (tries.is_given_up()) return false;
+  if (tries.is_given_up()) return tries.is_blocked() ? PartState::unreachable : PartState::unclosable;
   targets.push_back({first, normal, 1});
   for (std::size_t i = 0; i < kFarther.size(); ++i) {
     const Vector3d at = middle + kFarther[i] * lambda_ * outward;
     if (!is_open(at, normal) || is_cut_off(view, part, normal, at)) break;
     targets.push_back({at, normal, kFartherWeight[i]});
   }
-  return true;
+  return PartState::wanted;
 }
 
 void TargetFinder::add_around_point(const View& view, const Vector3d& point, const Vector3d& viewpoint,

@@ -17,16 +17,16 @@ struct Target {
   double weight = 1;       ///< what a reading there is worth
 };
 
-/// Finds targets: places 0.7, 1.5 and 2.4 λ outside an open edge, on its polygon's plane, up to where another
-/// polygon's plane cuts it off. Where rays have found the plane to end, the surface is expected folded round
-/// the edge, by 45, 90 and then 135 degrees.
+/// Finds targets: places 0.85, 1.5 and 2.4 λ outside an open edge, on its polygon's plane, up to where
+/// another polygon's plane cuts it off. Where rays have found the plane to end, the surface is expected
+/// folded round the edge, by 45, 90 and then 135 degrees.
 class TargetFinder {
  public:
   TargetFinder(const Parameters& parameters, const PlaceMemory& memory)
       : lambda_(parameters.resolution), memory_(memory) {}
 
-  /// Adds the targets outside a part of an open edge. Returns whether there were any.
-  bool add(const model::View&, const OpenPart&, std::vector<Target>&);
+  /// Adds the targets outside a part of an open edge. Returns what there is to be done.
+  PartState add(const model::View&, const OpenPart&, std::vector<Target>&);
   /// Adds targets around a point segment that is seen from `viewpoint` and near no polygon.
   void add_around_point(const model::View&, const Eigen::Vector3d& point, const Eigen::Vector3d& viewpoint,
                         std::vector<Target>&) const;
@@ -34,8 +34,8 @@ class TargetFinder {
  private:
   bool is_cut_off(const model::View&, const OpenPart&, const Eigen::Vector3d& normal,
                   const Eigen::Vector3d& place) const;
-  bool add_folded(const model::View&, const OpenPart&, const Eigen::Vector3d& normal,
-                  const Eigen::Vector3d& outward, std::vector<Target>&) const;
+  PartState add_folded(const model::View&, const OpenPart&, const Eigen::Vector3d& normal,
+                       const Eigen::Vector3d& outward, std::vector<Target>&) const;
   bool is_open(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) const;
 
   double lambda_;
