@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limpet/io/error.hpp>
+#include <limpet/io/mesh_writer.hpp>
 #include <limpet/io/output_file.hpp>
 #include <limpet/io/text.hpp>
 #include <optional>
@@ -112,6 +113,12 @@ void require_writable(const std::string& path) {
   if (!device && ::access(folder.c_str(), W_OK) != 0) {
     throw io::OutputError(path + ": the folder " + folder.string() + " cannot be written to");
   }
+}
+
+void require_model_name(const std::string& path) {
+  const std::string extension = io::extension_of(path);
+  if (extension != "limpet" && !io::is_mesh_extension(extension))
+    throw UsageError("-o " + path + ": a model is written as .limpet, .off, .ply, .obj or .stl");
 }
 
 void refuse_folder(const std::string& path) {

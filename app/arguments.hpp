@@ -40,6 +40,9 @@ std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::strin
 /// Throws io::OutputError.
 void require_writable(const std::string& path);
 
+/// Refuses the name of a model whose ending is none that a model is written as. Throws UsageError.
+void require_model_name(const std::string& path);
+
 /// Refuses the name of a folder where a file is read. Throws io::InputError.
 void refuse_folder(const std::string& path);
 

@@ -9,9 +9,7 @@
 #include <limpet/app/interrupt.hpp>
 #include <limpet/app/model_run.hpp>
 #include <limpet/io/error.hpp>
-#include <limpet/io/mesh_writer.hpp>
 #include <limpet/io/output_file.hpp>
-#include <limpet/io/text.hpp>
 
 namespace limpet::app {
 namespace {
@@ -38,10 +36,7 @@ void require_checkpoint_place(const ModelArguments& args) {
 
 void require_outputs(const ModelArguments& args) {
   for (const std::string& path : args.models) {
-    const std::string extension = io::extension_of(path);
-    if (extension != "limpet" && !io::is_mesh_extension(extension)) {
-      throw UsageError("-o " + path + ": a model is written as .limpet, .off, .ply, .obj or .stl");
-    }
+    require_model_name(path);
     require_writable(path);
   }
   if (!args.labels.empty()) require_writable(args.labels);

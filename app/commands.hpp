@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limpet/app/arguments.hpp>
 #include <limpet/evaluation/label_overlaps.hpp>
+#include <limpet/following/follower.hpp>
 #include <limpet/model/rules.hpp>
 #include <limpet/survey/point_stream.hpp>
 #include <optional>
@@ -47,6 +48,23 @@ struct ModelArguments {
   bool quiet = false;
 };
 int run(const ModelArguments&);
+
+struct FollowArguments {
+  std::string scene;                ///< a shape, a mesh file or a scene file (.toml)
+  std::vector<std::string> models;  ///< where to write the model; the format by extension
+  std::string robot;                ///< empty: the scene's, or the point robot
+  std::optional<following::Strategy> strategy;
+  std::optional<Eigen::Vector3d> start;
+  std::string initial;  ///< a mesh of faces known beforehand
+  std::optional<double> resolution, noise, encoder_noise, angle_deg;
+  std::optional<RedundancyArgument> redundancy;
+  std::optional<std::int64_t> max_sets;
+  std::optional<std::uint64_t> seed;
+  std::int64_t check_every = 0;  ///< sets; 0: the final model only
+  std::string json;
+  bool quiet = false;
+};
+int run(const FollowArguments&);
 
 struct ScanArguments {
   std::string mesh;  ///< the name of a shape, or a mesh file

@@ -117,6 +117,50 @@ void add_model(CLI::App& root, Command& chosen) {
   add_quiet_and_json(app, args->quiet, &args->json);
 }
 
+void add_follow(CLI::App& root, Command& chosen) {
+  auto& app = *root.add_subcommand("follow", "Drive a simulated robot over an object until it is modelled");
+  const auto args = make_command<FollowArguments>(app, chosen);
+  app.add_option("SCENE", args->scene, "A shape, a mesh (.off, .stl, .obj, .ply), or a scene file (.toml)")
+      ->required();
+  app.add_option("-o,--output", args->models, "Where to write the model: .limpet, .off, .ply, .obj, .stl")
+      ->required()
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("MODEL");
+  app.add_option("--robot", args->robot, "point (default): the mobile point robot with 26 range finders");
+  text_option(app, "--strategy", "NAME", "frontier (default) or thesis", [args](const std::string& text) {
+    if (text != "frontier" && text != "thesis")
+      throw UsageError("--strategy '" + text + "': give frontier or thesis");
+    args->strategy =
+        text == "thesis" ? limpet::following::Strategy::thesis : limpet::following::Strategy::frontier;
+  });
+  text_option(app, "--start", "X,Y,Z",
+              "Where the control point begins (default: at random, near the surface)",
+              [args](const std::string& text) { args->start = parse_vector("--start", text); });
+  app.add_option("--initial", args->initial, "Faces known beforehand: they share edges, and stay as they are")
+      ->type_name("MESH");
+  length_option(app, "--resolution", "Gaps smaller than this are not represented (default: by the object)",
+                false, [args](double length) { args->resolution = length; });
+  text_option(app, "--angle", "DEGREES", "Angles smaller than this are not told apart (default 10)",
+              [args](const std::string& text) {
+                args->angle_deg = parse_length("--angle", text, false);
+                if (*args->angle_deg >= 90) throw UsageError("--angle " + text + ": must be less than 90");
+              });
+  length_option(app, "--noise", "Standard deviation of a reading along its axis (default 0)", true,
+                [args](double length) { args->noise = length; });
+  length_option(app, "--encoder-noise",
+                "Standard deviation of the measured positions of the joints (default 0)", true,
+                [args](double length) { args->encoder_noise = length; });
+  text_option(app, "--redundancy", "N,F", "As for limpet model (default 20,0.05)",
+              [args](const std::string& text) { args->redundancy = parse_redundancy("--redundancy", text); });
+  app.add_option("--max-sets", args->max_sets, "End after this many sets (default 1000000)")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+  app.add_option("--seed", args->seed, "Of all that is random (default 1)");
+  app.add_option("--check-every", args->check_every, "Let the oracle judge after every Nth set too")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+  add_quiet_and_json(app, args->quiet, &args->json);
+}
+
 void add_scan(CLI::App& root, Command& chosen) {
   auto& app = *root.add_subcommand("scan", "Simulate a range scan of a mesh");
   const auto args = make_command<ScanArguments>(app, chosen);
@@ -260,6 +304,7 @@ int parse_and_run(int argc, char** argv) {
       "2 bad usage or damaged input. 'limpet COMMAND --help' says more.");
   Command command;
   add_model(app, command);
+  add_follow(app, command);
   add_scan(app, command);
   add_check(app, command);
   add_compare(app, command);

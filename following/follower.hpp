@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -33,6 +34,7 @@ enum class Mode {
   extend,  ///< frontier: a position from which rays meet targets near open edges
   travel   ///< frontier: back over positions visited before, to targets elsewhere
 };
+inline constexpr std::size_t kModeCount = 8;
 std::string_view name_of(Mode);
 
 /// Why a run is over.

@@ -1,0 +1,70 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/app/follow_run.hpp>
+
+#include <chrono>
+#include <limpet/app/arguments.hpp>
+#include <limpet/app/interrupt.hpp>
+#include <stdexcept>
+
+namespace limpet::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double microseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+model::Model begin(const FollowSetup& setup) {
+  try {
+    model::Model model(setup.model);
+    model.add_initial(setup.world.initial);
+    return model;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace
+
+FollowRun::FollowRun(const FollowSetup& setup)
+    : setup_(setup),
+      model_(begin(setup)),
+      follower_(following::make_follower(setup.strategy, setup.following)),
+      sensing_(*setup.world.world, setup.errors) {}
+
+FollowOutcome FollowRun::go(const std::function<void(const FollowStep&)>& look) {
+  FollowOutcome outcome;
+  outcome.ended = go_on(outcome, look);
+  outcome.marks = follower_->marks();
+  model_.finish();
+  return outcome;
+}
+
+std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(const FollowStep&)>& look) {
+  kinematics::Configuration at = setup_.start;
+  for (std::int64_t set = 0; set < setup_.max_sets; ++set) {
+    if (interrupted()) return "interrupted";
+    const simulation::Sensed sensed = sensing_.sense(setup_.robot, at);
+    outcome.path.push_back(kinematics::Posture(setup_.robot, at).control_point());
+    outcome.readings += static_cast<std::int64_t>(sensed.points.size());
+
+    auto start = Clock::now();
+    const auto& changes = model_.update(sensed.points);
+    outcome.model_us.push_back(microseconds_since(start));
+    start = Clock::now();
+    const kinematics::Posture posture(setup_.robot, sensed.measured);
+    const following::Motion motion = follower_->next({model_, changes, posture, sensed.points});
+    outcome.step_us.push_back(microseconds_since(start));
+
+    if (motion.end == following::End::no_surface)
+      throw UsageError("no surface is within sensing range of the start; give another --start");
+    look({sensed, motion, model_});
+    if (motion.end != following::End::none) return std::string(following::name_of(motion.end));
+    ++outcome.steps_in_mode[static_cast<std::size_t>(motion.mode)];
+    at += kinematics::actuator_changes(posture, motion.displacement);
+  }
+  return "max-sets";
+}
+
+}  // namespace limpet::app

@@ -1,0 +1,55 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limpet/app/follow_setup.hpp>
+#include <limpet/following/follower.hpp>
+#include <limpet/model/model.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limpet::app {
+
+/// One set of a run, for who looks on.
+struct FollowStep {
+  const simulation::Sensed& sensed;
+  const following::Motion& motion;
+  const model::Model& model;
+};
+
+/// What a run has come to. Times are of each set, in microseconds.
+struct FollowOutcome {
+  std::string ended;                  ///< complete, max-sets, interrupted or stopped
+  std::vector<Eigen::Vector3d> path;  ///< where the control point truly was at each set
+  std::int64_t readings = 0;
+  std::array<std::int64_t, following::kModeCount> steps_in_mode{};
+  following::Marks marks;  ///< by the model before it was finished
+  std::vector<double> step_us, model_us;
+};
+
+/// A simulated run of following: the loop of thesis §1.2.
+class FollowRun {
+ public:
+  /// The setup must outlive it. Throws UsageError when the model's parameters or initial faces make no sense.
+  explicit FollowRun(const FollowSetup&);
+
+  /// Steps until the follower is done, the sets are used up, or the run is interrupted; then finishes the
+  /// model. look(step) is called after each set. Throws UsageError when the start senses no surface.
+  FollowOutcome go(const std::function<void(const FollowStep&)>& look);
+
+  const model::Model& model() const { return model_; }
+
+ private:
+  std::string go_on(FollowOutcome&, const std::function<void(const FollowStep&)>& look);
+
+  const FollowSetup& setup_;
+  model::Model model_;
+  std::unique_ptr<following::Follower> follower_;
+  simulation::Sensing sensing_;
+};
+
+}  // namespace limpet::app

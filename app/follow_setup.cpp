@@ -1,0 +1,118 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/app/follow_setup.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limpet/app/arguments.hpp>
+#include <limpet/app/scene_file.hpp>
+#include <limpet/io/text.hpp>
+#include <stdexcept>
+
+namespace limpet::app {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+
+/// The scene with the options of the command line put over it.
+SceneFile scene_of(const FollowArguments& args) {
+  SceneFile scene = read_scene(args.scene);
+  if (args.resolution) scene.parameters.resolution = args.resolution;
+  if (args.angle_deg) scene.parameters.angle_rad = *args.angle_deg * kDegree;
+  if (args.redundancy) scene.parameters.redundancy = args.redundancy;
+  if (args.noise) {
+    scene.parameters.noise = survey::NoiseLaw{*args.noise, 0, 0};
+    scene.errors.noise = *args.noise;
+  }
+  if (args.encoder_noise) scene.errors.encoder_noise = *args.encoder_noise;
+  if (args.start) scene.start = args.start;
+  if (args.strategy) scene.strategy = args.strategy;
+  if (args.seed) scene.errors.seed = (scene.seed = args.seed).value();
+  if (args.max_sets) scene.max_sets = args.max_sets;
+  if (!args.initial.empty()) {
+    scene.world.initial_mesh = args.initial;
+    scene.world.initial_faces.clear();
+    scene.world.initial_occluded = false;
+  }
+  return scene;
+}
+
+double resolution_of(const SceneFile& scene, const simulation::BuiltWorld& world) {
+  if (scene.parameters.resolution) return *scene.parameters.resolution;
+  if (world.truth) return chosen_resolution(*world.truth);
+  throw UsageError("the resolution that a range image asks for is not known: give --resolution");
+}
+
+following::Parameters following_of(const SceneFile& scene, double resolution) {
+  following::Parameters p = following::usual_parameters(resolution);
+  p.sensing_range = scene.robot.sensing_range.value_or(p.sensing_range);
+  p.follow_distance = scene.parameters.follow_distance.value_or(p.follow_distance);
+  p.max_step = scene.parameters.step.value_or(p.max_step);
+  p.stray_limit = scene.parameters.stray.value_or(p.sensing_range);
+  p.progress_period = scene.parameters.period.value_or(p.progress_period);
+  p.angle_rad = scene.parameters.angle_rad.value_or(p.angle_rad);
+  try {
+    require_sound(p);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  return p;
+}
+
+kinematics::Robot robot_of(const SceneFile& scene, const FollowArguments& args,
+                           const following::Parameters& p, std::uint64_t seed) {
+  const std::string kind = args.robot.empty() ? scene.robot.kind.value_or("point") : args.robot;
+  if (kind != "point") throw UsageError("--robot " + kind + ": there is only the point robot so far: point");
+  const double ceiling = scene.robot.ceiling.value_or(p.resolution);
+  if (!(ceiling > 0 && ceiling < p.sensing_range))
+    throw UsageError("the ceiling γ of " + io::short_text(ceiling) +
+                     " must be positive and below the sensing range of " + io::short_text(p.sensing_range));
+  return kinematics::point_robot(
+      {p.sensing_range, ceiling, simulation::rotation_of(scene.robot.heading, seed)});
+}
+
+/// What the model is to expect of the readings: their own noise and that of where they are taken from.
+model::Parameters model_of(const SceneFile& scene, const simulation::BuiltWorld& world, double resolution) {
+  model::Parameters p;
+  p.resolution = resolution;
+  p.angle_rad = scene.parameters.angle_rad.value_or(p.angle_rad);
+  if (!scene.parameters.noise && world.image.empty() == false && !world.truth)
+    throw UsageError("how exact the points of a range image are is not known: give --noise");
+  const survey::NoiseLaw noise = scene.parameters.noise.value_or(survey::NoiseLaw{scene.errors.noise, 0, 0});
+  p.noise = std::hypot(noise.fixed, scene.errors.encoder_noise);
+  p.noise_per_range = noise.per_range;
+  p.noise_per_range2 = noise.per_range2;
+  p.tolerance = scene.parameters.tolerance.value_or(std::max(3 * p.noise, resolution / 5));
+  if (scene.parameters.redundancy) {
+    p.redundancy_count = scene.parameters.redundancy->count;
+    p.redundancy_ratio = scene.parameters.redundancy->ratio;
+  }
+  return p;
+}
+
+}  // namespace
+
+double chosen_resolution(const simulation::Mesh& mesh) {
+  const simulation::Bounds bounds = simulation::bounds_of(mesh);
+  const double side = (bounds.high - bounds.low).maxCoeff();
+  return std::clamp(simulation::narrowest_place(mesh) / 4, side / 40, side / 20);
+}
+
+FollowSetup make_setup(const FollowArguments& args) {
+  const SceneFile scene = scene_of(args);
+  FollowSetup setup;
+  setup.seed = scene.seed.value_or(1);
+  setup.world = simulation::build_world(scene.world, setup.seed);
+  const double resolution = resolution_of(scene, setup.world);
+  setup.following = following_of(scene, resolution);
+  setup.robot = robot_of(scene, args, setup.following, setup.seed);
+  setup.model = model_of(scene, setup.world, resolution);
+  setup.errors = scene.errors;
+  setup.strategy = scene.strategy.value_or(following::Strategy::frontier);
+  setup.max_sets = scene.max_sets.value_or(1'000'000);
+  setup.start = scene.start
+                    ? *scene.start
+                    : simulation::random_start(setup.world, setup.following.follow_distance, setup.seed);
+  return setup;
+}
+
+}  // namespace limpet::app

@@ -1,0 +1,38 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limpet/app/commands.hpp>
+#include <limpet/following/follower.hpp>
+#include <limpet/kinematics/robot.hpp>
+#include <limpet/model/parameters.hpp>
+#include <limpet/simulation/sensing.hpp>
+#include <limpet/simulation/world_description.hpp>
+
+namespace limpet::app {
+
+/// All that a simulated run of following is made of.
+struct FollowSetup {
+  simulation::BuiltWorld world;
+  simulation::SensingErrors errors;
+  kinematics::Robot robot;
+  Eigen::Vector3d start;  ///< of the control point
+  model::Parameters model;
+  following::Parameters following;
+  following::Strategy strategy = following::Strategy::frontier;
+  std::int64_t max_sets = 0;
+  std::uint64_t seed = 1;
+};
+
+/// Puts together what the scene and the command line say; options of the command line come first. What
+/// neither says is chosen: λ by the object (chosen_resolution()), all other lengths by λ as in thesis §4.3,
+/// the start at random by the seed. Throws UsageError when lengths do not fit each other (λ < δ < range,
+/// σ_max < range, γ·r < range), or something is missing, and what read_scene() and build_world() throw.
+FollowSetup make_setup(const FollowArguments&);
+
+/// The λ that an object asks for: a quarter of its narrowest place, but from a fortieth to a twentieth of its
+/// largest side.
+double chosen_resolution(const simulation::Mesh&);
+
+}  // namespace limpet::app
