@@ -1,0 +1,51 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
+#include <cmath>
+
+#include "progress_internal.hpp"
+
+namespace limpet::following::internal {
+
+using kinematics::Joint;
+
+void Progress::restart() {
+  window_.clear();
+  steps_ = 0;
+  insufficient_ = false;
+}
+
+void Progress::step(const kinematics::Posture& posture) {
+  window_.push_back(posture.configuration());
+  const auto size = static_cast<std::size_t>(2 * period_ + 1);
+  if (window_.size() > size) window_.erase(window_.begin());
+  if (steps_ > 0 && steps_ % period_ == 0) {
+    const Configuration& before = window_[window_.size() - 1 - static_cast<std::size_t>(period_)];
+    insufficient_ = is_near(posture.robot(), window_.back(), before, 1) ||
+                    (window_.size() == size && circles(posture.robot()));
+  }
+  ++steps_;
+}
+
+bool Progress::is_near(const kinematics::Robot& robot, const Configuration& a, const Configuration& b,
+                       double ceilings) const {
+  double prismatic2 = 0, revolute2 = 0;
+  Eigen::Index joint = 0;
+  for (const kinematics::Link& link : robot.links) {
+    if (link.joint.kind == Joint::Kind::fixed) continue;
+    const double change = a[joint] - b[joint];
+    ++joint;
+    (link.joint.kind == Joint::Kind::prismatic ? prismatic2 : revolute2) += change * change;
+  }
+  return std::sqrt(prismatic2) < ceilings * std::min(robot.ceilings.prismatic, longest_step_) &&
+         std::sqrt(revolute2) < ceilings * std::min(robot.ceilings.revolute_rad, angle_rad_);
+}
+
+bool Progress::circles(const kinematics::Robot& robot) const {
+  Configuration mean = Configuration::Zero(window_.back().size());
+  for (const Configuration& c : window_) mean += c;
+  mean /= static_cast<double>(window_.size());
+  return std::all_of(window_.begin(), window_.end(),
+                     [&](const Configuration& c) { return is_near(robot, c, mean, 3); });
+}
+
+}  // namespace limpet::following::internal

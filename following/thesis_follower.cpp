@@ -1,0 +1,134 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
+#include <limits>
+#include <limpet/following/control_point_motion.hpp>
+#include <limpet/following/thesis_follower.hpp>
+#include <utility>
+#include <variant>
+
+#include "changes_internal.hpp"
+#include "current_edge_internal.hpp"
+#include "current_segment_internal.hpp"
+#include "current_surface_internal.hpp"
+#include "gap_following_internal.hpp"
+#include "point_following_internal.hpp"
+#include "pursuit_internal.hpp"
+#include "situation_internal.hpp"
+
+namespace limpet::following {
+namespace {
+
+using namespace internal;
+using Eigen::Vector3d;
+
+Situation situation(const Parameters& parameters, const Observation& seen) {
+  const Vector3d at = seen.posture.control_point();
+  const model::View view = seen.model.view();
+  return {parameters,
+          seen.model,
+          view,
+          seen.posture,
+          seen.readings,
+          at,
+          view.nearest(at, std::numeric_limits<double>::infinity())};
+}
+
+/// From the closest surface model point; where the control point lies on it, along the segment's normal.
+ClosestPoint closest_point(const Situation& now) {
+  const double distance = now.closest->distance;
+  if (distance > 0) return {distance, (now.at - now.closest->at) / distance};
+  return {0, now.view.segment(now.closest->segment)->plane.normal};
+}
+
+class ThesisFollower final : public Follower {
+ public:
+  explicit ThesisFollower(const Parameters& p) : Follower(p), pursuit_(p), surface_(p) {}
+
+  Marks marks() const override { return pursuit_.completeness.marks(); }
+
+ protected:
+  Motion choose(const Observation& seen) override {
+    const Changes changes(seen.model, seen.changes);
+    const Situation now = situation(parameters(), seen);
+    pursuit_.take(changes);
+    pursuit_.progress.step(seen.posture);
+    if (now.closest) pursuit_.completeness.came_closest(*now.closest);
+    for (;;) {
+      const Decision decision = decide(now);
+      if (const auto* direction = std::get_if<Direction>(&decision)) return motion(now, *direction);
+      if (const auto* end = std::get_if<End>(&decision)) return {Vector3d::Zero(), mode_, *end};
+      enter(std::get<Mode>(decision), now);
+    }
+  }
+
+ private:
+  /// The motion modes, each of which decides on a direction or on a switch of mode (Figure 38).
+  Decision decide(const Situation& now) {
+    switch (mode_) {
+      case Mode::current_segment:
+        return segment_.follow(now, pursuit_);
+      case Mode::current_edge:
+        return edge_.follow(now, pursuit_);
+      case Mode::point:
+        return point_.follow(now, pursuit_);
+      case Mode::gap:
+        return gap_.follow(now, pursuit_);
+      default:
+        return surface_.follow(now, pursuit_);
+    }
+  }
+
+  void enter(Mode mode, const Situation& now) {
+    const Mode before = std::exchange(mode_, mode);
+    switch (mode) {
+      case Mode::current_surface:
+        surface_.begin();
+        break;
+      case Mode::gap:
+        gap_.begin(now, pursuit_, current_point(now, before), before);
+        break;
+      case Mode::point:
+        if (before == Mode::gap)
+          point_.gap_is_over(gap_.has_moved(), pursuit_);
+        else
+          point_.begin(now, pursuit_);
+        break;
+      case Mode::current_edge:
+        if (before == Mode::gap) {  // it could not be closed
+          pursuit_.use_slice();
+          pursuit_.follow = {};
+          mode_ = Mode::current_segment;
+        }
+        break;
+      default:
+        break;
+    }
+  }
+
+  Vector3d current_point(const Situation& now, Mode mode) const {
+    if (mode == Mode::point) return now.view.segment(pursuit_.segment)->plane.point;
+    return pursuit_.slices.current_point(*now.view.edge(pursuit_.edge));
+  }
+
+  Motion motion(const Situation& now, const Direction& direction) const {
+    const double step = std::min(direction.step_limit, parameters().max_step);
+    return {control_point_motion(closest_point(now), parameters().follow_distance, step, direction.along),
+            mode_};
+  }
+
+  Mode mode_ = Mode::current_surface;
+  Pursuit pursuit_;
+  CurrentSurface surface_;
+  CurrentSegment segment_;
+  CurrentEdge edge_;
+  PointFollowing point_;
+  GapFollowing gap_;
+};
+
+}  // namespace
+
+std::unique_ptr<Follower> make_thesis_follower(const Parameters& parameters) {
+  return std::make_unique<ThesisFollower>(parameters);
+}
+
+}  // namespace limpet::following

@@ -1,0 +1,48 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <limpet/following/follower.hpp>
+#include <limpet/model/model.hpp>
+#include <limpet/simulation/mesh.hpp>
+
+namespace limpet::following {
+
+/// A point robot that follows a mesh with the strategy of the thesis.
+struct RunOptions {
+  double resolution = 0.05;
+  double noise = 0;        ///< standard deviation of a reading along its axis
+  std::uint64_t seed = 1;  ///< of the start, the heading and the noise
+  int most_sets = 60000;
+};
+
+struct RunResult {
+  End end = End::none;  ///< none: it did not end by itself
+  int sets = 0;
+  double path = 0;      ///< way of the control point
+  bool closed = false;  ///< no open edge after Model::finish()
+  std::int64_t polygons = 0;
+  std::int64_t open_edges = 0;
+  double clearance = 0;        ///< smallest distance of the control point's way from the mesh
+  double model_clearance = 0;  ///< smallest distance that a motion led to, from the model before it
+  std::array<int, 8> sets_by_mode{};
+  std::vector<Eigen::Vector3d> places;  ///< of the control point, at each set
+  std::vector<double> step_us;          ///< time of each next(), microseconds
+  Marks marks;
+};
+
+/// The worlds of the measurements: cube, box, L, step, notch, cross, icosahedron, octahedron; else a name of
+/// simulation/shapes.hpp.
+simulation::Mesh make_world_mesh(const std::string& name);
+const std::vector<std::string>& world_names();
+
+RunResult run_thesis(const simulation::Mesh&, const RunOptions&,
+                     const std::function<void(const Observation&, const Motion&)>& watch = {});
+
+}  // namespace limpet::following
