@@ -41,10 +41,17 @@ bool CurrentSegment::ensure_edge(const Situation& now, Pursuit& pursuit) {
   const std::size_t current = index_of(pursuit.edge);
   if (current < edges_.size() && !pursuit.completeness.is_complete(edges_[current])) return true;
   pursuit.clear_edge();
-  pursuit.completeness.ask_what_would_close(now.model, false);
   while (!pursuit.edge)
     if (!choose_edge(now, pursuit)) return false;
   return true;
+}
+
+/// Could the edge be closed as things are? Then there is another polygon beside it.
+bool CurrentSegment::may_close(const Situation& now, const Edge& edge) {
+  model::Which others;
+  others.but = edge.segment;
+  others.points = false;
+  return now.view.nearest((edge.from + edge.to) / 2, 2 * now.parameters.resolution, others).has_value();
 }
 
 /// One attempt to choose: the incomplete edge closest, along the perimeter, to the one closest to the control
@@ -60,6 +67,9 @@ bool CurrentSegment::choose_edge(const Situation& now, Pursuit& pursuit) {
         least = distance(edges_[i], now.at), route = Route{i, true, 0}, first = i;
   }
   if (!route) return false;
+  if (may_close(now, edges_[route->to]) && pursuit.completeness.ask_what_would_close(now.model, false) &&
+      !incomplete(edges_[route->to]))
+    return true;
   if (!pursuit.choose_edge(edges_[route->to])) return true;
   pursuit.follow = edges_[first].id;
   forwards_ = route->forwards;

@@ -21,6 +21,7 @@ class CurrentSegment {
 
   bool ensure_edge(const Situation&, Pursuit&);
   bool choose_edge(const Situation&, Pursuit&);
+  static bool may_close(const Situation&, const Edge&);
   void ensure_follow_edge(const Situation&, Pursuit&);
   void advance(const Situation&, Pursuit&);
   std::size_t index_of(geometry::EdgeId) const;

@@ -26,8 +26,8 @@ void Completeness::came_closest(const model::View::Nearest& closest) {
     unreachable_edges_.erase(closest.edge);
 }
 
-void Completeness::ask_what_would_close(const model::Model& model, bool surely) {
-  if (!changed_ || (steps_ < patience_ && !surely)) return;
+bool Completeness::ask_what_would_close(const model::Model& model, bool surely) {
+  if (!changed_ || (steps_ < patience_ && !surely)) return false;
   const model::Outcome outcome = model.would_finish();
   closing_.clear();
   for (const model::Outcome::Edge& edge : outcome.edges)
@@ -36,7 +36,8 @@ void Completeness::ask_what_would_close(const model::Model& model, bool surely) 
   changed_ = false;
   // The answer takes longer the larger the model is.
   constexpr std::int64_t kEdgesPerStep = 20;
-  patience_ = static_cast<int>(std::max<std::int64_t>(10, model.counts().edges / kEdgesPerStep));
+  patience_ = static_cast<int>(std::max<std::int64_t>(60, model.counts().edges / kEdgesPerStep));
+  return true;
 }
 
 bool Completeness::is_complete(const Edge& edge) const {

@@ -33,8 +33,8 @@ class Completeness {
   void came_closest(const model::View::Nearest&);
 
   /// Asks the model what finishing would close, if enough has happened since the last time; `surely`: if
-  /// anything has.
-  void ask_what_would_close(const model::Model&, bool surely);
+  /// anything has. Returns whether it was asked.
+  bool ask_what_would_close(const model::Model&, bool surely);
 
   bool is_complete(const Edge&) const;
   /// Also when it is gone.
@@ -49,7 +49,7 @@ class Completeness {
   std::set<model::SegmentId> unreachable_segments_, segments_tried_again_;
   int steps_ = 0;         ///< since the model was asked
   bool changed_ = false;  ///< since then
-  int patience_ = 10;     ///< steps before it is asked again
+  int patience_ = 60;     ///< steps before it is asked again
 };
 
 }  // namespace limpet::following::internal

@@ -34,6 +34,7 @@ class Network {
     for (const SegmentId id : segments) {
       view.edges(id, of_one);
       edges_.insert(edges_.end(), of_one.begin(), of_one.end());
+      planes_.resize(edges_.size(), view.segment(id)->plane);
     }
     for (std::size_t i = 0; i < edges_.size(); ++i) index_.emplace(edges_[i].id.value, i);
     graph_ = Graph(edges_.size() + 1);
@@ -104,12 +105,23 @@ class Network {
     return best;
   }
 
+  /// How far a hop between two vertices is, if that is less than `least`. One that leads from behind one
+  /// polygon to behind another, through the body, is as good as none.
+  double hop_length(std::size_t a, std::size_t b, double least) const {
+    constexpr double kThroughBody = 10;
+    const Vector3d &from = edges_[a].from, &to = edges_[b].from;
+    const double length = (to - from).norm();
+    if (length >= least) return length;
+    const double behind = std::max(planes_[a].height_of(to), planes_[b].height_of(from));
+    return behind < -length / 2 ? kThroughBody * length : length;
+  }
+
   /// Joins every two parts of the graph by their nearest vertices.
   void add_hops() {
     std::vector<std::size_t> part(boost::num_vertices(graph_));
     boost::connected_components(graph_, part.data());
     struct Hop {
-      double length2 = kFar;
+      double length = kFar;
       std::size_t from = 0, to = 0;
     };
     std::map<std::pair<std::size_t, std::size_t>, Hop> hops;
@@ -117,10 +129,10 @@ class Network {
       for (std::size_t j = 0; j < i; ++j) {
         if (part[i] == part[j]) continue;
         Hop& hop = hops[std::minmax(part[i], part[j])];
-        const double length2 = (edges_[i].from - edges_[j].from).squaredNorm();
-        if (length2 < hop.length2) hop = {length2, i, j};
+        const double length = hop_length(i, j, hop.length);
+        if (length < hop.length) hop = {length, i, j};
       }
-    for (const auto& [parts, hop] : hops) boost::add_edge(hop.from, hop.to, std::sqrt(hop.length2), graph_);
+    for (const auto& [parts, hop] : hops) boost::add_edge(hop.from, hop.to, hop.length, graph_);
   }
 
   /// From one vertex to the next: an edge, one of its copies, or a hop; nothing between two copies of a
@@ -146,6 +158,7 @@ class Network {
 
   const std::set<EdgeId>& barred_;
   std::vector<View::Edge> edges_;
+  std::vector<geometry::Plane> planes_;  ///< of the edges' segments
   std::unordered_map<std::uint64_t, std::size_t> index_;
   Graph graph_;
   std::vector<std::size_t> before_;

@@ -130,7 +130,8 @@ const std::vector<std::string>& world_names() {
 
 Mesh make_world_mesh(const std::string& name) {
   if (name == "box") return boxes({{{{0, 0, 0}, {1.5, 1, 0.5}}}});
-  if (name == "step") return boxes({{{{0, 0, 0}, {1, 1, 0.5}}}, {{{0, 0, 0.5}, {0.5, 1, 1}}}});
+  if (name == "step")  // a staircase
+    return boxes({{{{0, 0, 0}, {1.5, 1, 0.5}}}, {{{0, 0, 0.5}, {1, 1, 1}}}, {{{0, 0, 1}, {0.5, 1, 1.5}}}});
   if (name == "notch") return boxes({{{{0, 0, 0}, {1.5, 1, 1}}}}, {{{{0.5, 0, 0.5}, {1, 1, 1}}}});
   if (name == "cross") return boxes({{{{0, 0.5, 0}, {1.5, 1, 0.5}}}, {{{0.5, 0, 0}, {1, 1.5, 0.5}}}});
   if (name == "icosahedron") return icosahedron();
