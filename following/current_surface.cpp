@@ -1,7 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include "current_surface_internal.hpp"
@@ -56,20 +54,10 @@ bool CurrentSurface::holds(const Situation& now, const Pursuit& pursuit) {
 }
 
 void CurrentSurface::give_up(Pursuit& pursuit) {
-  if (getenv("TR"))
-    fprintf(
-        stderr,
-        "stuck at leg %zu of %zu dist %.3f x %.3f %.3f %.3f leg %.3f %.3f %.3f - %.3f %.3f %.3f edge %llu\n",
-        follow_, path_->legs.size(), 0.0, 0., 0., 0., path_->legs[follow_].from.x(),
-        path_->legs[follow_].from.y(), path_->legs[follow_].from.z(), path_->legs[follow_].to.x(),
-        path_->legs[follow_].to.y(), path_->legs[follow_].to.z(),
-        (unsigned long long)path_->legs[follow_].edge.value);
   auto stuck = path_->legs.begin() + static_cast<std::ptrdiff_t>(follow_);
   stuck = std::find_if(stuck, path_->legs.end(), [](const Path::Leg& leg) { return bool(leg.edge); });
   barred_.insert(stuck->edge);  // the last leg is no hop
   if (++failures_ >= kMostPaths) {
-    if (getenv("TR"))
-      fprintf(stderr, "unreachable by failures %llu\n", (unsigned long long)pursuit.segment.value);
     pursuit.completeness.mark_unreachable(pursuit.segment);
     barred_.clear();
     failures_ = 0;
@@ -95,7 +83,6 @@ bool CurrentSurface::find_path(const Situation& now, Pursuit& pursuit) {
   for (auto wanted = goals(now, pursuit); !wanted.empty(); wanted = goals(now, pursuit)) {
     path_ = shortest_path(now.view, now.at, wanted, barred_);
     if (!path_) {
-      if (getenv("TR")) fprintf(stderr, "no path\n");
       for (const SegmentId goal : wanted) pursuit.completeness.mark_unreachable(goal);
       continue;
     }
@@ -103,7 +90,6 @@ bool CurrentSurface::find_path(const Situation& now, Pursuit& pursuit) {
     pursuit.segment = path_->goal;
     const Path::Leg& last = path_->legs.back();
     if (pursuit.goal_places.visit((last.from + last.to) / 2)) return true;
-    if (getenv("TR")) fprintf(stderr, "unreachable by wear %llu\n", (unsigned long long)path_->goal.value);
     pursuit.completeness.mark_unreachable(path_->goal);
   }
   return false;

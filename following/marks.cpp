@@ -35,8 +35,8 @@ bool Completeness::ask_what_would_close(const model::Model& model, bool surely) 
   steps_ = 0;
   changed_ = false;
   // The answer takes longer the larger the model is.
-  constexpr std::int64_t kEdgesPerStep = 20;
-  patience_ = static_cast<int>(std::max<std::int64_t>(60, model.counts().edges / kEdgesPerStep));
+  constexpr std::int64_t kEdgesPerStep = 10;
+  patience_ = static_cast<int>(std::max<std::int64_t>(kLeastPatience, model.counts().edges / kEdgesPerStep));
   return true;
 }
 

@@ -49,7 +49,8 @@ class Completeness {
   std::set<model::SegmentId> unreachable_segments_, segments_tried_again_;
   int steps_ = 0;         ///< since the model was asked
   bool changed_ = false;  ///< since then
-  int patience_ = 60;     ///< steps before it is asked again
+  static constexpr int kLeastPatience = 100;
+  int patience_ = kLeastPatience;  ///< steps before it is asked again
 };
 
 }  // namespace limpet::following::internal

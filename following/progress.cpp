@@ -15,6 +15,10 @@ void Progress::restart() {
 }
 
 void Progress::step(const kinematics::Posture& posture) {
+  constexpr double kStill = 1e-3;  // of γ
+  const bool still = last_ && is_near(posture.robot(), *last_, posture.configuration(), kStill);
+  still_ = still ? still_ + 1 : 0;
+  last_ = posture.configuration();
   window_.push_back(posture.configuration());
   const auto size = static_cast<std::size_t>(2 * period_ + 1);
   if (window_.size() > size) window_.erase(window_.begin());

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <limpet/kinematics/posture.hpp>
@@ -23,6 +24,8 @@ class Progress {
   void restart();
   /// As of the last step; until restart().
   bool is_insufficient() const { return insufficient_; }
+  /// Has the robot stood still for 10 τ steps, whatever goals were chosen?
+  bool stands_still() const { return still_ >= 10 * period_; }
 
  private:
   using Configuration = kinematics::Configuration;
@@ -34,6 +37,8 @@ class Progress {
   std::vector<Configuration> window_;  ///< since the restart, at most the last 2 τ + 1
   int steps_ = 0;                      ///< since the restart
   bool insufficient_ = false;
+  std::optional<Configuration> last_;
+  int still_ = 0;  ///< steps since the robot moved
 };
 
 }  // namespace limpet::following::internal

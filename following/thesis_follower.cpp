@@ -53,6 +53,7 @@ class ThesisFollower final : public Follower {
     pursuit_.take(changes);
     pursuit_.progress.step(seen.posture);
     if (now.closest) pursuit_.completeness.came_closest(*now.closest);
+    if (pursuit_.progress.stands_still()) return {Vector3d::Zero(), mode_, End::stopped};
     for (;;) {
       const Decision decision = decide(now);
       if (const auto* direction = std::get_if<Direction>(&decision)) return motion(now, *direction);
