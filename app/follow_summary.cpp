@@ -46,8 +46,8 @@ std::string to_json(const FollowSummary& s) {
     json["false_unreachable"] = s.truth->false_unreachable;
     json["isomorphic"] = s.truth->isomorphic;
     if (s.truth->tour) {
-      json["tour_sets"] = s.truth->tour->positions.size();
-      json["tour_length"] = s.truth->tour->length;
+      json["tour_sets"] = s.truth->tour->sets;
+      json["tour_length"] = s.truth->tour->path_length;
     }
   }
   json["step_us_median"] = quantile(run.step_us, 0.5);

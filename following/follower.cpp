@@ -1,5 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/following/follower.hpp>
+#include <limpet/following/frontier_follower.hpp>
+#include <limpet/following/thesis_follower.hpp>
 
 #include <cmath>
 #include <stdexcept>
@@ -53,6 +55,10 @@ std::string_view name_of(Mode mode) {
 std::string_view name_of(End end) {
   constexpr std::string_view kNames[] = {"", "complete", "no surface", "stopped"};
   return kNames[static_cast<std::size_t>(end)];
+}
+
+std::unique_ptr<Follower> make_follower(Strategy strategy, const Parameters& parameters) {
+  return strategy == Strategy::thesis ? make_thesis_follower(parameters) : make_frontier_follower(parameters);
 }
 
 Follower::Follower(const Parameters& parameters)
