@@ -14,6 +14,7 @@ constexpr std::size_t kTargetsAimedAt = 10;
 constexpr std::size_t kCandidates = 48;
 constexpr double kGrazing = 0.34;                            ///< least cosine of incidence: 70°
 constexpr std::array<double, 3> kHeights = {0.8, 1.1, 1.5};  ///< δ over the expected surface
+constexpr double kMargin = 1.2;                              ///< δ − λ
 constexpr double kSamePlace = 0.1;                           ///< λ
 constexpr double kMeets = 0.5;  ///< λ between a reading and a target that it serves
 
@@ -96,9 +97,7 @@ double AimChooser::worth(const Vector3d& place, const std::vector<Target>& targe
 }
 
 bool AimChooser::is_good(const model::View& view, const Clearance& clearance, const Aim& aim) const {
-  const double wanted = 1.2 * clearance.least();
-  if (clearance.at(view, aim.place, wanted) < wanted || !clearance.is_clear(view, here_, aim.place))
-    return false;
+  if (!clearance.is_safe(view, here_, aim.place, kMargin * clearance.least())) return false;
   const Vector3d way = aim.target.at - aim.place;
   const auto hit = view.first_hit(aim.place, way, way.norm() - lambda_ / 2);
   return !hit;

@@ -40,11 +40,26 @@ double Clearance::along(const model::View& view, const Vector3d& a, const Vector
   return found ? std::min(found->distance, least) : least;
 }
 
-bool Clearance::is_clear(const model::View& view, const Vector3d& from, const Vector3d& to) const {
-  if (along(view, from, to, least_) >= least_) return true;
+bool Clearance::keeps(const model::View& view, const Vector3d& from, const Vector3d& to,
+                      double distance) const {
+  if (along(view, from, to, distance) >= distance) return true;
   // From too near, every step must lead away: the way's nearest place is its start.
-  const double start = at(view, from, least_);
-  return start < least_ && along(view, from, to, least_) >= start && at(view, to, least_) > start;
+  const double start = at(view, from, distance);
+  return start < distance && along(view, from, to, distance) >= start && at(view, to, distance) > start;
+}
+
+bool Clearance::is_clear(const model::View& view, const Vector3d& from, const Vector3d& to) const {
+  return keeps(view, from, to, least_);
+}
+
+bool Clearance::is_safe(const model::View& view, const Vector3d& from, const Vector3d& to,
+                        double distance) const {
+  const double distance2 = distance * distance;
+  for (const Vector3d& p : suspected_) {
+    const double on_way2 = squared_distance_to_way(p, from, to);
+    if (on_way2 < distance2 && on_way2 < (from - p).squaredNorm() * (1 - 1e-9)) return false;
+  }
+  return keeps(view, from, to, distance);
 }
 
 Vector3d Clearance::shortened(const model::View& view, const Vector3d& from, Vector3d motion) const {

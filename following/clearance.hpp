@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <limpet/model/sensor_point.hpp>
@@ -29,14 +30,24 @@ class Clearance {
   /// Does the straight way keep the distance, or come no nearer to anything than its start, if this is
   /// nearer?
   bool is_clear(const model::View&, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+  /// Places where surface is suspected: instead of those before.
+  void suspect(std::vector<Eigen::Vector3d> places) { suspected_ = std::move(places); }
+  /// For plans: does the straight way keep this distance, from suspected places, too?
+  bool is_safe(const model::View&, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+               double distance) const;
+
   /// The longest of motion, motion/2, motion/4, … that is clear from this place; zero when none is.
   Eigen::Vector3d shortened(const model::View&, const Eigen::Vector3d& from, Eigen::Vector3d motion) const;
 
  private:
+  bool keeps(const model::View&, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+             double distance) const;
+
   static constexpr std::size_t kRecent = 2048;  ///< readings, some 80 sets of 26
 
   double least_;
   std::vector<Eigen::Vector3d> recent_;  ///< a ring
+  std::vector<Eigen::Vector3d> suspected_;
   std::size_t next_ = 0;
 };
 

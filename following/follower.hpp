@@ -95,6 +95,7 @@ class Follower {
   /// The motion that the strategy wants. next() shortens it to what is clear, and to σ_max and the ceilings.
   virtual Motion choose(const Observation&) = 0;
   const Clearance& clearance() const { return clearance_; }
+  Clearance& clearance() { return clearance_; }
 
  private:
   Parameters parameters_;

@@ -20,6 +20,8 @@ using internal::OpenPart;
 using internal::Target;
 using model::View;
 
+constexpr double kWithinReach = 3.5;  ///< λ: open edges this near can be aimed at
+constexpr int kStuck = 6;
 constexpr long kOutcomePeriod = 20;  ///< sets
 
 class FrontierFollower : public Follower {
@@ -41,10 +43,12 @@ class FrontierFollower : public Follower {
  private:
   void look_at_what_was_read(const Observation&);
   void find_targets(const Observation&);
+  void suspect_targets();
   bool has_arrived(const Vector3d& here) const;
   void close_aim(const Observation&);
   Motion go_on(const Observation&);
   Motion travel(const Observation&);
+  std::vector<Vector3d> way_to_what_is_wanted() const;
   Motion start(const Observation&);
   Vector3d kept_off(const View&, const Vector3d& here, const Vector3d& motion) const;
   void give_up_what_is_near();
@@ -65,6 +69,7 @@ class FrontierFollower : public Follower {
   std::vector<Vector3d> way_;  ///< of a travel, the next place last
   Vector3d before_ = Vector3d::Zero();
   long sets_ = 0;
+  int stuck_ = 0;  ///< how often travels have been stopped since the last one that arrived
   bool began_ = false, travels_ = false, has_not_moved_ = false;
 };
 
@@ -111,6 +116,14 @@ void FrontierFollower::find_targets(const Observation& seen) {
   if (point) finder_.add_around_point(view, point->at, here, targets_);
 }
 
+/// The model stops short of edges that are not felt yet, and targets are where the surface may go on.
+void FrontierFollower::suspect_targets() {
+  std::vector<Vector3d> places;
+  for (const Target& target : targets_)
+    if (target.weight == 1) places.push_back(target.at);
+  clearance().suspect(std::move(places));
+}
+
 bool FrontierFollower::has_arrived(const Vector3d& here) const {
   return aim_ && (here - aim_->place).norm() < 0.05 * lambda();
 }
@@ -152,7 +165,7 @@ void FrontierFollower::leave_what_would_close(const Observation& seen) {
 
 /// A motion that goes straight if that is clear, and else along the surface that is in the way, and off it.
 Vector3d FrontierFollower::kept_off(const View& view, const Vector3d& here, const Vector3d& motion) const {
-  if (clearance().is_clear(view, here, here + motion)) return motion;
+  if (clearance().is_safe(view, here, here + motion, 1.2 * clearance().least())) return motion;
   const double wanted = 1.5 * clearance().least();
   const auto nearest = view.nearest(here, 2 * wanted);
   if (!nearest || nearest->distance == 0) return motion;
@@ -161,23 +174,33 @@ Vector3d FrontierFollower::kept_off(const View& view, const Vector3d& here, cons
   return along + std::max(0.0, wanted - nearest->distance) * away;
 }
 
+std::vector<Vector3d> FrontierFollower::way_to_what_is_wanted() const {
+  return visited_.way_to(
+      [&](const Vector3d& place) { return open_.any_wanted(place, kWithinReach * lambda()); });
+}
+
 Motion FrontierFollower::travel(const Observation& seen) {
   const Vector3d here = seen.posture.control_point();
   if (!way_.empty() && travels_ && has_not_moved_) {
     visited_.block(way_.back());
+    if (++stuck_ >= kStuck) {
+      open_.give_up(way_.front(), kWithinReach * lambda());
+      stuck_ = 0;
+    }
     way_.clear();
   }
   travels_ = true;
   if (way_.empty()) {
     leave_what_would_close(seen);
-    way_ = visited_.way_to([&](const Vector3d& place) { return open_.any_wanted(place, 3.5 * lambda()); });
+    way_ = way_to_what_is_wanted();
+    if (way_.empty() && open_.insist()) way_ = way_to_what_is_wanted();
     if (way_.empty()) return {Vector3d::Zero(), Mode::travel, End::complete};
     std::reverse(way_.begin(), way_.end());
   }
   // Straight to the farthest place of the way that is in sight.
   const View view = seen.model.view();
   for (int looked = 0; looked < 4 && way_.size() > 1; ++looked) {
-    if (!clearance().is_clear(view, here, way_[way_.size() - 2])) break;
+    if (!clearance().is_safe(view, here, way_[way_.size() - 2], 1.2 * clearance().least())) break;
     way_.pop_back();
   }
   const Vector3d motion = way_.back() - here;
@@ -205,6 +228,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
   visited_.arrive(view, clearance(), here);
   look_at_what_was_read(seen);
   find_targets(seen);
+  suspect_targets();
   close_aim(seen);
   has_not_moved_ = (here - before_).norm() < 1e-3 * lambda();
   before_ = here;
@@ -215,6 +239,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
   }
   if (motion.mode != Mode::none) {
     way_.clear();
+    stuck_ = 0;
     travels_ = false;
     return motion;
   }

@@ -37,7 +37,7 @@ void OpenEdgeMap::put(EdgeId id, const View& view) {
   if (!edge || edge->partner) return;
   const double parts = std::ceil((edge->to - edge->from).norm() / part_length_);
   const auto count = static_cast<std::uint32_t>(std::max(1.0, parts));
-  const Entry entry{edge->from, edge->to, std::vector<PartState>(count, PartState::wanted), false};
+  Entry entry{edge->from, edge->to, std::vector<PartState>(count, PartState::wanted), false, false};
   for (std::uint32_t i = 0; i < count; ++i) places_.put(entry.part(i).middle(), {id.value, i});
   edges_[id.value] = entry;
 }
@@ -83,6 +83,7 @@ void OpenEdgeMap::near(const Vector3d& p, double reach, const View& view, std::v
     OpenPart part = entry.part(place.part);
     part.edge = id;
     part.segment = edge->segment;
+    part.insist = entry.insist;
     result.push_back(part);
   }
 }
@@ -94,6 +95,26 @@ void OpenEdgeMap::set(const OpenPart& part, PartState state) {
 
 void OpenEdgeMap::set_closes(EdgeId id, bool closes) {
   if (const auto known = edges_.find(id.value); known != edges_.end()) known->second.closes = closes;
+}
+
+bool OpenEdgeMap::insist() {
+  bool any = false;
+  for (auto& [id, entry] : edges_) {
+    if (entry.closes || entry.insist) continue;
+    entry.insist = true;
+    for (PartState& state : entry.parts)
+      if (state == PartState::done) state = PartState::wanted, any = true;
+  }
+  return any;
+}
+
+void OpenEdgeMap::give_up(const Vector3d& p, double reach) {
+  places_.for_each_within(p, reach, [&](const Vector3d&, const Place& place) {
+    const auto known = edges_.find(place.edge);
+    if (known == edges_.end()) return;
+    PartState& state = known->second.parts[place.part];
+    if (state == PartState::wanted) state = PartState::unreachable;
+  });
 }
 
 std::vector<EdgeId> OpenEdgeMap::edges(PartState state) const {

@@ -18,6 +18,7 @@ struct OpenPart {
   std::uint32_t part = 0;  ///< its number along the edge
   model::SegmentId segment;
   Eigen::Vector3d from, to;
+  bool insist = false;  ///< to be looked at, although what is there seemed to be known
   Eigen::Vector3d middle() const { return (from + to) / 2; }
 };
 
@@ -47,6 +48,11 @@ class OpenEdgeMap {
   /// Sets whether finishing would close the edge as it is (model::Outcome). It is not assumed of an edge that
   /// is new, or has moved.
   void set_closes(geometry::EdgeId, bool closes);
+  /// What seemed to be done, and yet would not close, is wanted again, once for each edge. Returns whether
+  /// there was any.
+  bool insist();
+  /// The parts within `reach` of p that are wanted become unreachable.
+  void give_up(const Eigen::Vector3d& p, double reach);
   /// Is there a part within `reach` of p that is wanted?
   bool any_wanted(const Eigen::Vector3d& p, double reach) const;
 
@@ -57,7 +63,7 @@ class OpenEdgeMap {
   struct Entry {
     Eigen::Vector3d from, to;
     std::vector<PartState> parts;
-    bool closes = false;
+    bool closes = false, insist = false;
 
     OpenPart part(std::uint32_t i) const;
   };

@@ -91,6 +91,18 @@ PartState TargetFinder::add(const View& view, const OpenPart& part, std::vector<
   return PartState::wanted;
 }
 
+/// Places on the edge and close outside it, whatever is known there.
+PartState TargetFinder::insist(const OpenPart& part, const Vector3d& normal, const Vector3d& outward,
+                               std::vector<Target>& targets) const {
+  for (const double off : {0.4, 0.0, 0.85}) {
+    const Vector3d at = part.middle() + off * lambda_ * outward;
+    if (!is_open(at, normal)) continue;
+    targets.push_back({at, normal, 0.9});
+    return PartState::wanted;
+  }
+  return PartState::unclosable;
+}
+
 void TargetFinder::add_around_point(const View& view, const Vector3d& point, const Vector3d& viewpoint,
                                     std::vector<Target>& targets) const {
   if (view.nearest(point, lambda_, {.points = false})) return;

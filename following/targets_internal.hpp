@@ -36,6 +36,8 @@ class TargetFinder {
                   const Eigen::Vector3d& place) const;
   PartState add_folded(const model::View&, const OpenPart&, const Eigen::Vector3d& normal,
                        const Eigen::Vector3d& outward, std::vector<Target>&) const;
+  PartState insist(const OpenPart&, const Eigen::Vector3d& normal, const Eigen::Vector3d& outward,
+                   std::vector<Target>&) const;
   bool is_open(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) const;
 
   double lambda_;

@@ -9,11 +9,17 @@ namespace limpet::following::internal {
 
 using Eigen::Vector3d;
 
+Visited::Link* Visited::find(std::size_t from, std::size_t to) {
+  auto& links = nodes_[from].links;
+  const auto link = std::find_if(links.begin(), links.end(), [&](const Link& l) { return l.to == to; });
+  return link == links.end() ? nullptr : &*link;
+}
+
 void Visited::link(std::size_t a, std::size_t b) {
-  auto& next = nodes_[a].next;
-  if (a == b || std::find(next.begin(), next.end(), b) != next.end()) return;
-  next.push_back(b);
-  nodes_[b].next.push_back(a);
+  if (a == b || find(a, b)) return;
+  const double length = (nodes_[a].at - nodes_[b].at).norm();
+  nodes_[a].links.push_back({b, length});
+  nodes_[b].links.push_back({a, length});
 }
 
 void Visited::arrive(const model::View& view, const Clearance& clearance, const Vector3d& here) {
@@ -37,11 +43,11 @@ void Visited::arrive(const model::View& view, const Clearance& clearance, const 
 }
 
 void Visited::block(const Vector3d& to) {
-  for (const std::size_t node : std::vector<std::size_t>(nodes_[present_].next))
-    if (nodes_[node].at == to) {
-      std::erase(nodes_[present_].next, node);
-      std::erase(nodes_[node].next, present_);
-    }
+  for (Link& there : nodes_[present_].links) {
+    if (nodes_[there.to].at != to) continue;
+    there.length += detour_;
+    find(there.to, present_)->length += detour_;
+  }
 }
 
 std::vector<Vector3d> Visited::way_to(const std::function<bool(const Vector3d&)>& wanted) const {
@@ -63,12 +69,12 @@ std::vector<Vector3d> Visited::way_to(const std::function<bool(const Vector3d&)>
       std::reverse(way.begin(), way.end());
       return way;
     }
-    for (const std::size_t next : nodes_[node].next) {
-      const double through = so_far + (nodes_[next].at - nodes_[node].at).norm();
-      if (through >= length[next]) continue;
-      length[next] = through;
-      before[next] = node;
-      open.emplace(through, next);
+    for (const Link& link : nodes_[node].links) {
+      const double through = so_far + link.length;
+      if (through >= length[link.to]) continue;
+      length[link.to] = through;
+      before[link.to] = node;
+      open.emplace(through, link.to);
     }
   }
   return {};

@@ -14,12 +14,13 @@ namespace limpet::following::internal {
 class Visited {
  public:
   explicit Visited(double resolution)
-      : places_(2 * resolution), same_(0.6 * resolution), near_(1.8 * resolution) {}
+      : places_(2 * resolution), same_(0.6 * resolution), near_(1.8 * resolution), detour_(10 * resolution) {}
 
   /// The control point is here now, having come in a straight line.
   void arrive(const model::View&, const Clearance&, const Eigen::Vector3d& here);
 
-  /// The straight way from the present place to the visited one at `to` has turned out not to be clear.
+  /// The straight way from the present place to the visited one at `to` has turned out not to be clear: other
+  /// ways are preferred from now on.
   void block(const Eigen::Vector3d& to);
 
   /// The shortest way over visited places to one that is wanted. It begins with the one next to which the
@@ -27,16 +28,21 @@ class Visited {
   std::vector<Eigen::Vector3d> way_to(const std::function<bool(const Eigen::Vector3d&)>& wanted) const;
 
  private:
+  struct Link {
+    std::size_t to;
+    double length;
+  };
   struct Node {
     Eigen::Vector3d at;
-    std::vector<std::size_t> next;
+    std::vector<Link> links;
   };
+  Link* find(std::size_t from, std::size_t to);
   void link(std::size_t a, std::size_t b);
 
   std::vector<Node> nodes_;
   SpaceHash<std::size_t> places_;
   std::size_t present_ = 0;
-  double same_, near_;
+  double same_, near_, detour_;
 };
 
 }  // namespace limpet::following::internal
