@@ -159,8 +159,7 @@ void FrontierFollower::give_up_what_is_near() {
 }
 
 void FrontierFollower::leave_what_would_close(const Observation& seen) {
-  const model::Outcome outcome = seen.model.would_finish();
-  for (const auto& edge : outcome.edges) open_.set_closes(edge.edge, edge.closes);
+  open_.note(seen.model.would_finish());
 }
 
 /// A motion that goes straight if that is clear, and else along the surface that is in the way, and off it.

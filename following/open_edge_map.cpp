@@ -93,8 +93,14 @@ void OpenEdgeMap::set(const OpenPart& part, PartState state) {
     known->second.parts[part.part] = state;
 }
 
-void OpenEdgeMap::set_closes(EdgeId id, bool closes) {
-  if (const auto known = edges_.find(id.value); known != edges_.end()) known->second.closes = closes;
+void OpenEdgeMap::note(const model::Outcome& outcome) {
+  const auto set_closes = [&](std::uint64_t edge, bool closes) {
+    if (const auto known = edges_.find(edge); known != edges_.end()) known->second.closes = closes;
+  };
+  for (const auto& edge : outcome.edges) set_closes(edge.edge.value, edge.closes);
+  for (const auto& left : outcome.left)
+    places_.for_each_within((left.from + left.to) / 2, part_length_ / 2,
+                            [&](const Vector3d&, const Place& place) { set_closes(place.edge, false); });
 }
 
 bool OpenEdgeMap::insist() {

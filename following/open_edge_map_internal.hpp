@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include <limpet/model/outcome.hpp>
 #include <limpet/model/view.hpp>
 
 #include "space_hash_internal.hpp"
@@ -45,9 +46,9 @@ class OpenEdgeMap {
 
   /// A part of an edge that is new, or has moved, is wanted.
   void set(const OpenPart&, PartState);
-  /// Sets whether finishing would close the edge as it is (model::Outcome). It is not assumed of an edge that
-  /// is new, or has moved.
-  void set_closes(geometry::EdgeId, bool closes);
+  /// Notes which edges finishing would close as they are: none with an edge near that would be left. An edge
+  /// that is new, or has moved, would not.
+  void note(const model::Outcome&);
   /// What seemed to be done, and yet would not close, is wanted again, once for each edge. Returns whether
   /// there was any.
   bool insist();

@@ -64,6 +64,14 @@ class Finished {
   double lambda_;
 };
 
+void add_open_edges(const Segment& s, std::vector<Outcome::Left>& left) {
+  for_each_edge(s.polygon->perimeter, [&](Slot slot) {
+    if (s.polygon->perimeter.node(slot).shared) return;
+    const Piece piece = piece_of(*s.polygon, slot);
+    left.push_back({s.id, piece.a, piece.b});
+  });
+}
+
 }  // namespace
 
 Outcome would_finish(const Engine& e) {
@@ -73,12 +81,18 @@ Outcome would_finish(const Engine& e) {
   stored.restore(copy);
   finish(copy);
 
+  Outcome outcome;
   std::unordered_map<std::uint64_t, OpenEdge> still_open;
   for (const OpenEdge& open : open_edges(copy.complex, last_reach(copy.setting.rules())))
     still_open.emplace(open.edge.value, open);
   const Finished finished(copy.complex);
-  Outcome outcome;
-  copy.complex.segments().for_each([&](const Segment& s) { outcome.polygons += bool(s.polygon); });
+  copy.complex.segments().for_each([&](const Segment& s) {
+    if (!s.polygon) return;
+    ++outcome.polygons;
+    add_open_edges(s, outcome.left);
+  });
+  std::stable_sort(outcome.left.begin(), outcome.left.end(),
+                   [](const auto& a, const auto& b) { return a.segment < b.segment; });
   outcome.open_edges = copy.complex.edges().size() - 2 * copy.complex.edges().pair_count();
 
   e.complex.segments().for_each([&](const Segment& s) {
