@@ -26,7 +26,8 @@ double image_epsilon(const std::vector<Eigen::Vector3d>& points);
 /// through the points near it, which faces the scanner; then a point that is met from behind hides what is
 /// behind it but gives no sighting, and the incidence is known.
 ///
-/// Throws MeshError as image_epsilon() does, and when ε is not positive and finite or `direction` is zero.
+/// Throws MeshError as image_epsilon() does (duplicates pass when ε is given), and when ε is not positive and
+/// finite or `direction` is zero.
 std::unique_ptr<World> make_range_image_world(std::vector<Eigen::Vector3d> points,
                                               std::optional<double> epsilon = std::nullopt,
                                               const std::optional<Eigen::Vector3d>& direction = std::nullopt);

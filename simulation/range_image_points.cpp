@@ -7,6 +7,7 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -32,18 +33,19 @@ Tree tree_of(const std::vector<Vector3d>& points) {
   return Tree(entries);
 }
 
-double nearest_other(const Tree& tree, const std::vector<Vector3d>& points, std::size_t i) {
-  double least = std::numeric_limits<double>::infinity();
-  for (auto near = tree.qbegin(bgi::nearest(place(points[i]), 2)); near != tree.qend(); ++near)
-    if (near->second != i) least = std::min(least, (points[near->second] - points[i]).norm());
-  return least;
+/// The points nearest to one of them, this one among them.
+void nearest(const Tree& tree, const std::vector<Vector3d>& points, std::size_t i, unsigned count,
+             std::vector<Entry>& near) {
+  near.clear();
+  tree.query(bgi::nearest(place(points[i]), count), std::back_inserter(near));
 }
 
-Vector3d normal_through(const std::vector<Vector3d>& points, const Vector3d& direction) {
+Vector3d normal_through(const std::vector<Entry>& near, const std::vector<Vector3d>& points,
+                        const Vector3d& direction) {
   Vector3d mean = Vector3d::Zero();
-  for (const Vector3d& p : points) mean += p / static_cast<double>(points.size());
+  for (const auto& [at, i] : near) mean += points[i] / static_cast<double>(near.size());
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vector3d& p : points) spread += (p - mean) * (p - mean).transpose();
+  for (const auto& [at, i] : near) spread += (points[i] - mean) * (points[i] - mean).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
   if (solver.eigenvalues()[1] <= kLine * solver.eigenvalues()[2]) return -direction;
   const Vector3d normal = solver.eigenvectors().col(0);
@@ -52,25 +54,35 @@ Vector3d normal_through(const std::vector<Vector3d>& points, const Vector3d& dir
 
 }  // namespace
 
-double image_epsilon(const std::vector<Vector3d>& points) {
+void require_image(const std::vector<Vector3d>& points) {
   if (points.size() < 2) throw MeshError("a range image needs two points or more");
   if (!std::all_of(points.begin(), points.end(), [](const Vector3d& p) { return p.allFinite(); }))
     throw MeshError("a range image has a point that is not finite");
+}
+
+double image_epsilon(const std::vector<Vector3d>& points) {
+  require_image(points);
   const Tree tree = tree_of(points);
+  std::vector<Entry> near;
   double largest = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) largest = std::max(largest, nearest_other(tree, points, i));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    nearest(tree, points, i, 2, near);
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [at, other] : near)
+      if (other != i) least = std::min(least, (points[other] - points[i]).norm());
+    largest = std::max(largest, least);
+  }
   if (largest == 0) throw MeshError("each point of the range image is there more than once");
   return largest;
 }
 
 std::vector<Vector3d> image_normals(const std::vector<Vector3d>& points, const Vector3d& direction) {
   const Tree tree = tree_of(points);
-  std::vector<Vector3d> normals, near;
-  for (const Vector3d& p : points) {
-    near.clear();
-    for (auto at = tree.qbegin(bgi::nearest(place(p), kForNormal)); at != tree.qend(); ++at)
-      near.push_back(points[at->second]);
-    normals.push_back(normal_through(near, direction));
+  std::vector<Entry> near;
+  std::vector<Vector3d> normals;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    nearest(tree, points, i, kForNormal, near);
+    normals.push_back(normal_through(near, points, direction));
   }
   return normals;
 }

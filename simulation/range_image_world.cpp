@@ -38,14 +38,15 @@ class RangeImageWorld : public World {
 
 std::unique_ptr<World> make_range_image_world(std::vector<Vector3d> points, std::optional<double> epsilon,
                                               const std::optional<Vector3d>& direction) {
-  const double own = image_epsilon(points);
+  require_image(points);
   if (epsilon && !(*epsilon > 0 && std::isfinite(*epsilon)))
     throw MeshError("ε of a range image must be more than 0");
   if (direction && !(direction->allFinite() && direction->norm() > 0))
     throw MeshError("the direction in which a scanner looks must not be zero");
+  const double reach = epsilon ? *epsilon : image_epsilon(points);
   std::vector<Vector3d> normals;
   if (direction) normals = image_normals(points, direction->normalized());
-  return std::make_unique<RangeImageWorld>(std::move(points), std::move(normals), epsilon.value_or(own));
+  return std::make_unique<RangeImageWorld>(std::move(points), std::move(normals), reach);
 }
 
 }  // namespace limpet::simulation
