@@ -30,6 +30,10 @@ double thickness(const Parameters& parameters) {
   return t;
 }
 
+int boxes(const Parameters& parameters) {
+  return parameters.empty() ? 9 : parameter<int>(parameters[0], 1, 100'000);
+}
+
 Mesh box(const Vector3d& size) {
   BoxWorld world;
   world.add(Vector3d::Zero(), size);
@@ -105,12 +109,9 @@ const std::vector<Shape>& shapes() {
        },
        thickness},
       {"room", "room:1", 1, [](const Parameters& p) { return make_room(seed(p, 0)); },
-       [](const Parameters&) { return 0.25; }},
-      {"city", "city:9", 2,
-       [](const Parameters& p) {
-         return make_city(p.empty() ? 9 : parameter<int>(p[0], 1, 100'000), seed(p, 1));
-       },
-       [](const Parameters&) { return 0.5; }}};
+       [](const Parameters& p) { return seed(p, 0), 0.25; }},
+      {"city", "city:9", 2, [](const Parameters& p) { return make_city(boxes(p), seed(p, 1)); },
+       [](const Parameters& p) { return boxes(p), seed(p, 1), 0.5; }}};
   return all;
 }
 

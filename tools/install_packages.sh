@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache mold clang-format
   libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libboost-dev libopenmesh-dev libpng-dev
-  libcli11-dev nlohmann-json3-dev
+  libcli11-dev nlohmann-json3-dev libtomlplusplus-dev
   libgtest-dev librapidcheck-dev python3 locales
   libcgal-demo)
 for group in "$@"; do

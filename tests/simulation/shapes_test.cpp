@@ -77,9 +77,9 @@ TEST(Shapes, WrongNamesAreRefused) {
        {"", "ball", "cube:1", "thin_plate:0", "thin_plate:2", "thin_plate:nan", "thin_plate:x", "city:0",
         "city:100001", "city:3:4:5", "room:-1", "room:1.5", "city:"}) {
     EXPECT_THROW(make_shape(name), MeshError) << name;
+    EXPECT_THROW(feature_size(name), MeshError) << name;
   }
   EXPECT_FALSE(is_shape("ball"));
-  EXPECT_THROW(feature_size("ball"), MeshError);
   EXPECT_THROW(make_scene("ball"), MeshError);
 }
 
