@@ -18,7 +18,9 @@ class World {
     double distance = 0;          ///< along the axis
     double incidence_cosine = 1;  ///< of the angle between the axis and the inward normal; 1 where unknown
     /// From the place on the axis at this distance to the surface point that is seen, at a right angle to the
-    /// axis. Zero, but for a range image, whose points are near an axis and not on it.
+    /// axis. Zero, but for a range image, whose points are near an axis and not on it. It must not be
+    /// dropped: at an angle the place on the axis is off the surface by up to ε·tan θ, always to the same
+    /// side.
     Eigen::Vector3d aside = Eigen::Vector3d::Zero();
   };
   /// The first surface within `range`, if it is seen from outside. Precondition: `axis` is a unit vector.

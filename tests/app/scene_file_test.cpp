@@ -1,10 +1,11 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <limpet/app/scene_file.hpp>
 #include <limpet/io/error.hpp>
-#include <limpet/simulation/mesh.hpp>
+#include <limpet/survey/random.hpp>
 
 #include "../temporary_folder.hpp"
 
@@ -253,6 +254,33 @@ TEST_F(SceneFileTest, WhatIsNoTomlIsAnErrorWithItsLine) {
     EXPECT_TRUE(what.starts_with("scene.toml:")) << what;
     EXPECT_TRUE(what.size() > 11 && what[11] >= '1' && what[11] <= '9') << what;
   }
+}
+
+TEST_F(SceneFileTest, DamagedFilesAreScenesOrErrorsInOneLine) {
+  const std::string whole = read(LIMPET_SOURCE_DIR "/scenes/noisy_L.toml");
+  survey::Random random(1);
+  int refused = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::string text = whole;
+    for (std::uint64_t k = random.below(4) + 1; k > 0; --k) {
+      const std::size_t at = random.below(text.size());
+      switch (random.below(4)) {
+        case 0:
+          text[at] = static_cast<char>(random.below(256));
+          break;
+        case 1:
+          text.erase(at, random.below(20));
+          break;
+        case 2:
+          text.insert(at, text.substr(random.below(text.size()), random.below(30)));
+          break;
+        default:
+          text.insert(at, 1, "[]{}=\"'.,-\n#0"[random.below(14)]);
+      }
+    }
+    refused += !complaint(text).empty();
+  }
+  EXPECT_GT(refused, 1000);
 }
 
 TEST_F(SceneFileTest, ASceneIsAlsoAShapeOrAMesh) {
