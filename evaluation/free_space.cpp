@@ -184,6 +184,18 @@ Verdict FreeSpace::holds(const Vector3d& place) const {
   return inside_->truth.distance(place) >= clearance() ? connects(place) : Verdict::no;
 }
 
+double FreeSpace::ruled_out(const Vector3d& place, const Vector3d& direction) const {
+  const Node node = inside_->lattice.nearest(place);
+  if (inside_->has(node, Lattice::kPerhapsReached)) return 0;
+  const double half = pitch() / 2;
+  const Vector3d from_middle = place - inside_->lattice.place(node);
+  double leaves = pitch();
+  for (int i = 0; i < 3; ++i)
+    if (direction[i] != 0)
+      leaves = std::min(leaves, (std::copysign(half, direction[i]) - from_middle[i]) / direction[i]);
+  return std::max(leaves, 0.0) + 1e-6 * pitch();
+}
+
 Verdict FreeSpace::connects(const Vector3d& place) const {
   if (!inside_->has(inside_->lattice.nearest(place), Lattice::kPerhapsReached)) return Verdict::no;
   return inside_->joined(place) ? Verdict::yes : Verdict::doubtful;

@@ -50,6 +50,9 @@ class FreeSpace {
   Verdict holds(const Eigen::Vector3d& place) const;
   /// The same for a place that is known to keep the clearance.
   Verdict connects(const Eigen::Vector3d& place) const;
+  /// How far from here in a direction, a unit vector, the robot gets to no place for sure: to the end of the
+  /// lattice's cell, and a little more. 0: the cell is not ruled out. Cheaper than the others.
+  double ruled_out(const Eigen::Vector3d& place, const Eigen::Vector3d& direction) const;
   /// A way between two places that are held without doubt: straight if that keeps the clearance, else over
   /// the lattice, with what can be cut short cut short. Both ends included. Empty: there is none.
   std::vector<Eigen::Vector3d> way(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;

@@ -13,6 +13,7 @@ using Eigen::Vector3d;
 
 constexpr double kGrazing = 1e-6;  // a smaller cosine is no incidence
 constexpr double kLift = 1e-9;  // off the surface, as a fraction of the range, before one looks along a ray
+constexpr double kLeastStep = 1.0 / 16;  // along a ray, in pitches of the lattice
 
 /// The axes that meet a face from outside, the steepest first: it most often sees.
 std::vector<Vector3d> axes_onto(const Vector3d& normal, const std::vector<Vector3d>& axes) {
@@ -34,33 +35,55 @@ class Search {
                   Vector3d& from) const {
     Verdict best = Verdict::no;
     for (const Vector3d& axis : axes) {
-      const double lift = kLift * range_;
-      const double free = truth_.first_crossing(at - lift * axis, -axis).value_or(range_) + lift;
-      const double end = std::min(range_, free);
+      const double begin = past_ruled_out(at, axis, space_.clearance());
+      if (begin > range_) continue;
+      const double end = in_sight(at, axis);
       const double guess =
-          space_.clearance() / -axis.dot(normal) + space_.pitch();  // where nothing else is near
+          space_.clearance() / -axis.dot(normal) + space_.pitch();  // if nothing else is near
       if (guess <= end && is_held(at, axis, guess, from)) return Verdict::yes;
-      best = std::max(best, sighted_along(at, axis, end, from));
+      best = std::max(best, sighted_along(at, axis, begin, end, from));
       if (best == Verdict::yes) break;
     }
     return best;
   }
 
  private:
+  /// The first t, from this one on, at which the lattice does not rule out that the robot gets there; more
+  /// than the range: there is none.
+  double past_ruled_out(const Vector3d& at, const Vector3d& axis, double t) const {
+    while (t <= range_) {
+      const double further = space_.ruled_out(at - t * axis, -axis);
+      if (further == 0) break;
+      t += further;
+    }
+    return t;
+  }
+
+  /// How far from `at` nothing is in the way, as far as the range.
+  double in_sight(const Vector3d& at, const Vector3d& axis) const {
+    const double lift = kLift * range_;
+    return std::min(range_, truth_.first_crossing(at - lift * axis, -axis).value_or(range_) + lift);
+  }
+
   bool is_held(const Vector3d& at, const Vector3d& axis, double t, Vector3d& from) const {
     from = at - t * axis;
     return space_.holds(from) == Verdict::yes;
   }
 
-  Verdict sighted_along(const Vector3d& at, const Vector3d& axis, double end, Vector3d& from) const {
-    const double least_step = space_.pitch() / 8;
+  Verdict sighted_along(const Vector3d& at, const Vector3d& axis, double begin, double end,
+                        Vector3d& from) const {
     Verdict best = Verdict::no;
-    for (double t = space_.clearance(); t <= end;) {  // nothing nearer keeps the clearance from `at`
+    for (double t = begin; t <= end; t = past_ruled_out(at, axis, t)) {
       from = at - t * axis;
-      const double lacking = space_.clearance() - truth_.distance(from);
-      if (lacking <= 0) best = std::max(best, space_.connects(from));
+      const double over = truth_.distance(from) - space_.clearance();
+      const Verdict here = over >= 0 ? space_.connects(from) : Verdict::no;
+      best = std::max(best, here);
       if (best == Verdict::yes || t == end) break;
-      t = std::min(end, t + std::max(lacking, least_step));
+      // No nearer than by what it lacks or has over can a place be of another kind: the distance changes no
+      // faster than t, and what keeps the clearance without a break hangs together.
+      const double sure = here == Verdict::doubtful ? 0 : std::abs(over);
+      if (sure < kLeastStep * space_.pitch()) best = Verdict::doubtful;
+      t = std::min(end, t + std::max(sure, kLeastStep * space_.pitch()));
     }
     return best;
   }

@@ -52,9 +52,10 @@ struct Reachability {
 /// the inward normal, there is a t in (0, range] such that
 ///   - the robot gets to p − t·a (FreeSpace::holds()), and
 ///   - nothing of the surface lies between.
-/// t is searched with steps that cannot pass a place that keeps the clearance, but for stretches shorter than
-/// an eighth of the lattice's pitch. A sample is doubtful when it is not reachable, but some such place is
-/// not ruled out. Precondition: spacing > 0. The margin of `space` should be at least the range.
+/// t is searched with steps that cannot pass a place that keeps the clearance, or not shorter than a
+/// sixteenth of the lattice's pitch. A sample is doubtful when it is not found to be reachable, but some such
+/// place, or step, is not ruled out. Precondition: spacing > 0. The margin of `space` should be at least the
+/// range.
 Reachability find_reachable(const simulation::Mesh& mesh, const TrueSurface& truth, const FreeSpace& space,
                             const Sensing& sensing, double spacing);
 
