@@ -9,7 +9,7 @@
 namespace limpet::evaluation {
 
 /// The surface that a simulated robot moves over, as the judge knows it: how far it is, and what crosses it.
-/// Triangles without area are left out. World frame, scan's unit. Several threads may ask at once.
+/// Triangles without area are left out. World frame, scan's unit.
 class TrueSurface {
  public:
   explicit TrueSurface(const simulation::Mesh& mesh);

@@ -58,7 +58,7 @@ TEST(GreedyCover, CoversWhatCanBeAndNothingIsSpare) {
       for (const std::size_t i : chosen)
         for (const std::size_t item : offers[i]) --rest[item];
       int sum = 0;
-      for (std::size_t k = 0; k < rest.size(); ++k) sum += std::max(0, rest[k]);
+      for (const int lacks : rest) sum += std::max(0, lacks);
       return sum;
     };
     int least = 0;
@@ -99,7 +99,10 @@ TEST(ShortTour, AlongALineIsTheLine) {
 TEST(ShortTour, OverAGridIsNearTheShortest) {
   const RunWorld world(testing::cube());
   std::vector<Vector3d> places;
-  for (int i = 0; i < 100; ++i) places.emplace_back(0.1 * (i * 37 % 10), 0.1 * (i * 37 % 100 / 10), 1.25);
+  for (int i = 0; i < 100; ++i) {
+    const int k = i * 37 % 100, row = k / 10, column = k % 10;  // not in their order
+    places.emplace_back(0.1 * column, 0.1 * row, 1.25);
+  }
   std::swap(places[0], *std::min_element(places.begin(), places.end(),
                                          [](const auto& a, const auto& b) { return a.sum() < b.sum(); }));
   const ShortTour tour = short_tour(places, *world.surface, *world.space);

@@ -65,6 +65,15 @@ TEST(TrueSurface, RaysMeetBothSides) {
   EXPECT_NEAR(surface.first_crossing({-1, 0.5, 1}, Vector3d::UnitX()).value(), 1, 1e-12);  // within the top
 }
 
+TEST(TrueSurface, OfNothingIsNowhere) {
+  const TrueSurface surface{simulation::Mesh{}};
+  EXPECT_EQ(surface.distance({0, 0, 0}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(surface.distance_along({0, 0, 0}, {1, 0, 0}), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(surface.keeps({0, 0, 0}, {1, 0, 0}, 1));
+  EXPECT_FALSE(surface.meets({0, 0, 0}, {1, 0, 0}));
+  EXPECT_FALSE(surface.first_crossing({0, 0, 0}, Vector3d::UnitX()).has_value());
+}
+
 TEST(Clearance, OfALineOverACube) {
   const TrueSurface surface(testing::cube());
   const std::vector<Vector3d> path{{-2, 0.5, 1.25}, {-1, 0.5, 1.25}, {2, 0.5, 1.25}, {2, 0.5, 3}};
