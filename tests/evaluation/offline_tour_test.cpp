@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <limpet/evaluation/greedy_cover.hpp>
 #include <limpet/evaluation/offline_tour.hpp>
+#include <limpet/evaluation/run_judgement.hpp>
 #include <limpet/evaluation/short_tour.hpp>
+#include <limpet/model/model.hpp>
 #include <limpet/simulation/ray_caster.hpp>
+#include <limpet/simulation/world.hpp>
 #include <limpet/survey/random.hpp>
 #include <numeric>
 
@@ -198,6 +201,38 @@ TEST(OfflineTour, OfACubeTakesTheSetsThatItsAreaAsksFor) {
   EXPECT_LT(linking.sets, tour.sets / 2);
   EXPECT_LT(linking.path_length, tour.path_length);
   EXPECT_LE(linking.unlinked, 0.001);
+}
+
+TEST(OfflineTour, ItsSetsMakeTheModel) {
+  const Toured toured(testing::cube());
+  const auto world = simulation::make_mesh_world(toured.world.mesh);
+  model::Parameters parameters;
+  parameters.resolution = kResolution;
+  parameters.noise = 0.001;
+  model::Model model(parameters);
+  FollowingRun run;
+  run.path = toured.tour().positions;
+  for (const Vector3d& place : run.path) {
+    std::vector<model::SensorPoint> readings;
+    for (const Vector3d& axis : toured.sensing.axes)
+      if (const auto seen = world->sight(place, axis, kRange))
+        readings.push_back({place + seen->distance * axis, axis, seen->distance});
+    model.update(readings);
+  }
+  model.finish();
+  run.model = model.record();
+  RunJudgementOptions options;
+  options.resolution = kResolution;
+  options.follow_distance = kFollowDistance;
+  options.ceiling = kResolution;
+  options.sensing = toured.sensing;
+  options.tour = true;
+  const RunJudgement found = judge_run(toured.world.mesh, run, options);
+  EXPECT_EQ(found.coverage, 1);
+  EXPECT_TRUE(found.isomorphic) << ::testing::PrintToString(found.topology.report.faults);
+  EXPECT_GE(found.clearance.at_positions, kClearance);
+  ASSERT_TRUE(found.tour.has_value());
+  EXPECT_EQ(found.tour->positions, run.path);
 }
 
 TEST(OfflineTour, BeginsBesideAStartThatIsTooNear) {
