@@ -14,13 +14,14 @@ Direction towards_slice(const Vector3d& to_centre) { return {to_centre, to_centr
 Decision CurrentEdge::follow(const Situation& now, Pursuit& pursuit) {
   const auto edge = now.view.edge(pursuit.edge);
   if (!edge || pursuit.completeness.is_complete(*edge)) return Mode::current_segment;
-  if (pursuit.progress.is_insufficient()) pursuit.use_slice(), pursuit.progress.restart();
+  if (pursuit.progress.is_insufficient()) pursuit.use_slice();
   for (;;) {
     if (!pursuit.slices.has_current()) {
       if (!pursuit.slices.choose(*edge, now.at)) break;
       pursuit.has_been_near = false;
-      pursuit.progress.restart();
-      if (!pursuit.slice_places.visit(pursuit.slices.current_point(*edge))) {
+      const Vector3d point = pursuit.slices.current_point(*edge);
+      pursuit.progress.restart((point - now.at).norm() + now.parameters.stray_limit);
+      if (!pursuit.slice_places.visit(point)) {
         pursuit.use_slice();
         continue;
       }

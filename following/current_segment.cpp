@@ -71,10 +71,14 @@ bool CurrentSegment::choose_edge(const Situation& now, Pursuit& pursuit) {
       !incomplete(edges_[route->to]))
     return true;
   if (!pursuit.choose_edge(edges_[route->to])) return true;
-  pursuit.follow = edges_[first].id;
-  forwards_ = route->forwards;
-  pursuit.progress.restart();
+  follow_edge(edges_[first], route->forwards, now, pursuit);
   return true;
+}
+
+void CurrentSegment::follow_edge(const Edge& edge, bool forwards, const Situation& now, Pursuit& pursuit) {
+  pursuit.follow = edge.id;
+  forwards_ = forwards;
+  pursuit.progress.restart(distance(edge, now.at) + length(edge));
 }
 
 /// Where the choice of follow edge has been cleared, the edge nearest to the control point is followed.
@@ -82,9 +86,7 @@ void CurrentSegment::ensure_follow_edge(const Situation& now, Pursuit& pursuit) 
   if (index_of(pursuit.follow) < edges_.size()) return;
   const std::size_t nearest = nearest_edge(edges_, now.at);
   const auto route = shortest_route(edges_, nearest, [&](const Edge& e) { return e.id == pursuit.edge; });
-  pursuit.follow = route ? edges_[nearest].id : pursuit.edge;
-  forwards_ = !route || route->forwards;
-  pursuit.progress.restart();
+  follow_edge(edges_[route ? nearest : index_of(pursuit.edge)], !route || route->forwards, now, pursuit);
 }
 
 /// The follow edge becomes the one farthest along the perimeter, up to the current edge, that is within ρ.
@@ -96,9 +98,7 @@ void CurrentSegment::advance(const Situation& now, Pursuit& pursuit) {
     if (distance(edges_[i], now.at) < now.parameters.stray_limit) best = i;
     if (i == followed) return;  // the current edge is on another perimeter
   }
-  if (best == followed) return;
-  pursuit.follow = edges_[best].id;
-  pursuit.progress.restart();
+  if (best != followed) follow_edge(edges_[best], forwards_, now, pursuit);
 }
 
 Direction CurrentSegment::along_follow_edge(const Situation& now, const Pursuit& pursuit) const {

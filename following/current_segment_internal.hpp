@@ -22,6 +22,7 @@ class CurrentSegment {
   bool ensure_edge(const Situation&, Pursuit&);
   bool choose_edge(const Situation&, Pursuit&);
   static bool may_close(const Situation&, const Edge&);
+  void follow_edge(const Edge&, bool forwards, const Situation&, Pursuit&);
   void ensure_follow_edge(const Situation&, Pursuit&);
   void advance(const Situation&, Pursuit&);
   std::size_t index_of(geometry::EdgeId) const;

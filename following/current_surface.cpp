@@ -69,10 +69,11 @@ void CurrentSurface::give_up(Pursuit& pursuit) {
 std::optional<Decision> CurrentSurface::plan(const Situation& now, Pursuit& pursuit) {
   path_.reset();
   follow_ = 0;
-  pursuit.progress.restart();
   for (const bool surely : {false, true}) {
     pursuit.completeness.ask_what_would_close(now.model, surely);
-    if (find_path(now, pursuit)) return std::nullopt;
+    if (!find_path(now, pursuit)) continue;
+    pursuit.progress.restart(way_along_follow_edge(now));
+    return std::nullopt;
   }
   pursuit.segment = stray_point(now);
   if (pursuit.segment) return Decision(Mode::point);
@@ -132,12 +133,18 @@ double CurrentSurface::distance_to(std::size_t i, const Situation& now) const {
   return (nearest_on(leg.from, leg.to, now.at) - now.at).norm();
 }
 
+/// To the follow edge and along it.
+double CurrentSurface::way_along_follow_edge(const Situation& now) const {
+  const Path::Leg& leg = path_->legs[follow_];
+  return distance_to(follow_, now) + (leg.to - leg.from).norm();
+}
+
 /// The follow edge becomes the one farthest along the path that is within ρ.
 void CurrentSurface::advance(const Situation& now, Pursuit& pursuit) {
   for (std::size_t i = path_->legs.size(); i-- > follow_ + 1;) {
     if (distance_to(i, now) >= now.parameters.stray_limit) continue;
     follow_ = i;
-    pursuit.progress.restart();
+    pursuit.progress.restart(way_along_follow_edge(now));
     return;
   }
 }

@@ -36,6 +36,7 @@ class CurrentSurface {
   model::SegmentId stray_point(const Situation&);
   void advance(const Situation&, Pursuit&);
   double distance_to(std::size_t leg, const Situation&) const;
+  double way_along_follow_edge(const Situation&) const;
   Direction along_follow_edge(const Situation&) const;
 
   std::optional<Path> path_;

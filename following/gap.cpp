@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "gap_internal.hpp"

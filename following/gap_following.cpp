@@ -22,7 +22,7 @@ void GapFollowing::begin(const Situation& now, Pursuit& pursuit, const Vector3d&
   target_ = 0;
   moved_ = false;
   choose_sensor(now);
-  pursuit.progress.restart();
+  pursuit.progress.restart(now.parameters.sensing_range);
 }
 
 Decision GapFollowing::follow(const Situation& now, Pursuit& pursuit) {
@@ -52,7 +52,7 @@ bool GapFollowing::is_detected(const Situation& now) const {
 void GapFollowing::next(const Situation& now, Pursuit& pursuit) {
   ++target_;
   if (target_ < targets_.size()) choose_sensor(now);
-  pursuit.progress.restart();
+  pursuit.progress.restart(now.parameters.sensing_range);
 }
 
 void GapFollowing::choose_sensor(const Situation& now) {

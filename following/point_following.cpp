@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "point_following_internal.hpp"
@@ -13,13 +14,13 @@ void PointFollowing::begin(const Situation& now, Pursuit& pursuit) {
   vectors_ = {v, -v, w, -w};
   slice_ = 0;
   gap_tried_ = has_been_near_ = false;
-  pursuit.progress.restart();
+  pursuit.progress.restart(towards.norm());
 }
 
 void PointFollowing::use_slice(Pursuit& pursuit) {
   ++slice_;
   gap_tried_ = false;
-  pursuit.progress.restart();
+  pursuit.progress.restart(0);
 }
 
 void PointFollowing::gap_is_over(bool has_moved, Pursuit& pursuit) {

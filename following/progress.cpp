@@ -8,7 +8,9 @@ namespace limpet::following::internal {
 
 using kinematics::Joint;
 
-void Progress::restart() {
+void Progress::restart(double way) {
+  constexpr double kPatience = 10;
+  most_steps_ = 10 * period_ + kPatience * way / longest_step_;
   window_.clear();
   steps_ = 0;
   insufficient_ = false;
@@ -25,7 +27,7 @@ void Progress::step(const kinematics::Posture& posture) {
   if (steps_ > 0 && steps_ % period_ == 0) {
     const Configuration& before = window_[window_.size() - 1 - static_cast<std::size_t>(period_)];
     insufficient_ = is_near(posture.robot(), window_.back(), before, 1) ||
-                    (window_.size() == size && circles(posture.robot()));
+                    (window_.size() == size && circles(posture.robot())) || steps_ > most_steps_;
   }
   ++steps_;
 }

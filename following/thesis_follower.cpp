@@ -53,11 +53,11 @@ class ThesisFollower final : public Follower {
     pursuit_.take(changes);
     pursuit_.progress.step(seen.posture);
     if (now.closest) pursuit_.completeness.came_closest(*now.closest);
-    if (pursuit_.progress.stands_still()) return {Vector3d::Zero(), mode_, End::stopped};
+    if (pursuit_.progress.stands_still(10)) return {Vector3d::Zero(), mode_, End::stopped};
     for (;;) {
       const Decision decision = decide(now);
       if (const auto* direction = std::get_if<Direction>(&decision)) return motion(now, *direction);
-      if (const auto* end = std::get_if<End>(&decision)) return {Vector3d::Zero(), mode_, *end};
+      if (const auto* end = std::get_if<End>(&decision)) return {Vector3d::Zero(), mode_, reason(*end)};
       enter(std::get<Mode>(decision), now);
     }
   }
@@ -77,6 +77,11 @@ class ThesisFollower final : public Follower {
       default:
         return surface_.follow(now, pursuit_);
     }
+  }
+
+  /// That nothing is left is no success where the last goals were given up because the robot cannot move.
+  End reason(End end) const {
+    return end == End::complete && pursuit_.progress.stands_still(1) ? End::stopped : end;
   }
 
   void enter(Mode mode, const Situation& now) {

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Measures runs: `limpet_following_figures WORLD[,WORLD…]|all STARTS NOISE [FIRST_SEED [MOST_SETS]]`; prints one line for
-// each run and one for each world.
+// Measures runs: `limpet_following_figures WORLD[,WORLD…]|all STARTS NOISE [FIRST_SEED [MOST_SETS]]`; prints
+// one line for each run and one for each world.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
