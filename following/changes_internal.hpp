@@ -17,7 +17,6 @@ class Changes {
   Changes(const model::Model& model, std::span<const model::Change> changes)
       : model_(&model), changes_(changes) {}
 
-  bool empty() const { return changes_.empty(); }
   /// Edges that are gone, in the order of the changes.
   std::vector<geometry::EdgeId> removed_edges() const;
   /// Segments that are gone under their identities: merged into others, or deleted.

@@ -10,7 +10,6 @@ using model::SegmentId;
 
 void Completeness::take(const Changes& changes) {
   ++steps_;
-  changed_ |= !changes.empty();
   for (const EdgeId id : changes.removed_edges()) {
     unreachable_edges_.erase(id), unclosable_edges_.erase(id), edges_tried_again_.erase(id);
     closing_.erase(id);
@@ -27,13 +26,12 @@ void Completeness::came_closest(const model::View::Nearest& closest) {
 }
 
 bool Completeness::ask_what_would_close(const model::Model& model, bool surely) {
-  if (!changed_ || (steps_ < patience_ && !surely)) return false;
+  if (steps_ < (surely ? 1 : patience_)) return false;
   const model::Outcome outcome = model.would_finish();
   closing_.clear();
   for (const model::Outcome::Edge& edge : outcome.edges)
     if (edge.closes) closing_.insert(edge.edge);
   steps_ = 0;
-  changed_ = false;
   // The answer takes longer the larger the model is.
   constexpr std::int64_t kEdgesPerStep = 10;
   patience_ = static_cast<int>(std::max<std::int64_t>(kLeastPatience, model.counts().edges / kEdgesPerStep));

@@ -32,8 +32,9 @@ class Completeness {
   /// tried once more; literally done each time (thesis §3.4.2), this would never end.
   void came_closest(const model::View::Nearest&);
 
-  /// Asks the model what finishing would close, if enough has happened since the last time; `surely`: if
-  /// anything has. Returns whether it was asked.
+  /// Asks the model what finishing would close, if enough steps have been made since the last time;
+  /// `surely`: if any has, for readings that change no edge may still change the answer. Returns whether it
+  /// was asked.
   bool ask_what_would_close(const model::Model&, bool surely);
 
   bool is_complete(const Edge&) const;
@@ -47,8 +48,7 @@ class Completeness {
   std::set<geometry::EdgeId> unreachable_edges_, unclosable_edges_, edges_tried_again_;
   std::set<geometry::EdgeId> closing_;  ///< finishing would close them
   std::set<model::SegmentId> unreachable_segments_, segments_tried_again_;
-  int steps_ = 0;         ///< since the model was asked
-  bool changed_ = false;  ///< since then
+  int steps_ = 0;  ///< since the model was asked
   static constexpr int kLeastPatience = 100;
   int patience_ = kLeastPatience;  ///< steps before it is asked again
 };

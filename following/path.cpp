@@ -112,6 +112,8 @@ class Network {
     const Vector3d &from = edges_[a].from, &to = edges_[b].from;
     const double length = (to - from).norm();
     if (length >= least) return length;
+    // Distances from the planes, as parts of the length, are what tells a way round a convex edge from one
+    // through the body: there, both ends see the other far behind their own plane.
     const double behind = std::max(planes_[a].height_of(to), planes_[b].height_of(from));
     return behind < -length / 2 ? kThroughBody * length : length;
   }

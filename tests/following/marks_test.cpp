@@ -50,13 +50,12 @@ TEST(Completeness, EdgesThatFinishingWouldCloseAreComplete) {
   model.add_initial(simulation::initial_faces(simulation::make_shape("cube")));
   const auto id = segments_of(model).front();
   Completeness completeness;
-  const std::vector<model::Change> changes(1);
-  completeness.take(Changes(model, changes));
+  completeness.take(Changes(model, {}));
   EXPECT_FALSE(completeness.is_complete(model.view(), id));
   EXPECT_FALSE(completeness.ask_what_would_close(model, false));  // too soon
   EXPECT_TRUE(completeness.ask_what_would_close(model, true));
   EXPECT_TRUE(completeness.is_complete(model.view(), id));
-  EXPECT_FALSE(completeness.ask_what_would_close(model, true));  // nothing has changed
+  EXPECT_FALSE(completeness.ask_what_would_close(model, true));  // just asked
 }
 
 }  // namespace

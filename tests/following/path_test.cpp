@@ -96,7 +96,7 @@ TEST(ShortestPath, DoesNotHopThroughTheBody) {
   const auto bottom = segments_of(model)[1];
   const auto path = shortest_path(model.view(), {0.1, 0.5, 0.5}, {bottom}, {});
   ASSERT_TRUE(path);
-  for (const auto& leg : path->legs) EXPECT_TRUE(leg.edge || (leg.to - leg.from).norm() < 0.1);
+  for (const auto& leg : path->legs) EXPECT_TRUE(leg.edge || (leg.to - leg.from).norm() < 0.1) << leg.from.transpose() << " to " << leg.to.transpose();
 }
 
 TEST(ShortestPath, IsNoneInAnEmptyModel) {
