@@ -82,7 +82,7 @@ std::optional<Decision> CurrentSurface::plan(const Situation& now, Pursuit& purs
 
 bool CurrentSurface::find_path(const Situation& now, Pursuit& pursuit) {
   for (auto wanted = goals(now, pursuit); !wanted.empty(); wanted = goals(now, pursuit)) {
-    path_ = shortest_path(now.view, now.at, wanted, barred_);
+    path_ = shortest_path(now.view, now.at, wanted, barred_, 2 * now.parameters.resolution);
     if (!path_) {
       for (const SegmentId goal : wanted) pursuit.completeness.mark_unreachable(goal);
       continue;

@@ -25,7 +25,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 /// Vertex i of the graph is where edge i begins; one more is the start.
 class Network {
  public:
-  Network(const View& view, const std::set<EdgeId>& barred) : barred_(barred) {
+  Network(const View& view, const std::set<EdgeId>& barred, double rim) : barred_(barred), rim_(rim) {
     std::vector<SegmentId> segments;
     model::Which polygons;
     polygons.points = false;
@@ -112,10 +112,9 @@ class Network {
     const Vector3d &from = edges_[a].from, &to = edges_[b].from;
     const double length = (to - from).norm();
     if (length >= least) return length;
-    // Distances from the planes, as parts of the length, are what tells a way round a convex edge from one
-    // through the body: there, both ends see the other far behind their own plane.
+    // So are the two rims of a gap at a convex edge, but not by much.
     const double behind = std::max(planes_[a].height_of(to), planes_[b].height_of(from));
-    return behind < -length / 2 ? kThroughBody * length : length;
+    return behind < -rim_ ? kThroughBody * length : length;
   }
 
   /// Joins every two parts of the graph by their nearest vertices.
@@ -159,6 +158,7 @@ class Network {
   }
 
   const std::set<EdgeId>& barred_;
+  double rim_;
   std::vector<View::Edge> edges_;
   std::vector<geometry::Plane> planes_;  ///< of the edges' segments
   std::unordered_map<std::uint64_t, std::size_t> index_;
@@ -169,8 +169,9 @@ class Network {
 }  // namespace
 
 std::optional<Path> shortest_path(const View& view, const Vector3d& start,
-                                  const std::vector<SegmentId>& goals, const std::set<EdgeId>& barred) {
-  return Network(view, barred).path(start, goals);
+                                  const std::vector<SegmentId>& goals, const std::set<EdgeId>& barred,
+                                  double rim) {
+  return Network(view, barred, rim).path(start, goals);
 }
 
 }  // namespace limpet::following::internal

@@ -24,9 +24,11 @@ struct Path {
 /// The shortest path over the edges of the model's polygons, from the edge nearest to `start` to one of the
 /// `goals` (ascending). Perimeters are joined by their shared edges; where these do not lead to a goal, as to
 /// the rim of a hole, or to a surface that is not joined yet, the path hops between the nearest vertices of
-/// what is not joined. Edges that are barred are not used. Nothing when there is no such path.
+/// what is not joined; but through the body, between points that are both behind the other's
+/// polygon by more than `rim` (scan's unit), only where there is no other way. Edges that are barred are not
+/// used. Nothing when there is no such path.
 std::optional<Path> shortest_path(const model::View&, const Eigen::Vector3d& start,
                                   const std::vector<model::SegmentId>& goals,
-                                  const std::set<geometry::EdgeId>& barred);
+                                  const std::set<geometry::EdgeId>& barred, double rim);
 
 }  // namespace limpet::following::internal

@@ -11,6 +11,8 @@ namespace {
 using Eigen::Vector3d;
 using model::SegmentId;
 
+constexpr double kRim = 0.1;
+
 SegmentId face_towards(const model::Model& model, const Vector3d& normal) {
   for (const SegmentId id : segments_of(model))
     if (model.view().segment(id)->plane.normal.dot(normal) > 0.9) return id;
@@ -31,7 +33,7 @@ void expect_connected(const Path& path) {
 TEST(ShortestPath, IsTheNearestEdgeWhereThatBelongsToTheGoal) {
   const auto model = shared_cube();
   const auto top = face_towards(model, Vector3d::UnitZ());
-  const auto path = shortest_path(model.view(), {0.5, 0.1, 1.1}, {top}, {});
+  const auto path = shortest_path(model.view(), {0.5, 0.1, 1.1}, {top}, {}, kRim);
   ASSERT_TRUE(path);
   ASSERT_EQ(path->legs.size(), 1u);
   EXPECT_EQ(path->goal, top);
@@ -41,7 +43,7 @@ TEST(ShortestPath, IsTheNearestEdgeWhereThatBelongsToTheGoal) {
 TEST(ShortestPath, LeadsOverSharedEdgesToTheOppositeFace) {
   const auto model = shared_cube();
   const auto bottom = face_towards(model, -Vector3d::UnitZ());
-  const auto path = shortest_path(model.view(), {0.3, -0.1, 1.1}, {bottom}, {});
+  const auto path = shortest_path(model.view(), {0.3, -0.1, 1.1}, {bottom}, {}, kRim);
   ASSERT_TRUE(path);
   EXPECT_EQ(path->goal, bottom);
   expect_connected(*path);
@@ -56,29 +58,32 @@ TEST(ShortestPath, GoesRoundWhatIsBarred) {
   const auto model = shared_cube();
   const auto bottom = face_towards(model, -Vector3d::UnitZ());
   const Vector3d start(0.3, -0.1, 1.1);
-  const auto first = shortest_path(model.view(), start, {bottom}, {});
-  const auto second = shortest_path(model.view(), start, {bottom}, {first->legs[1].edge});
+  const auto first = shortest_path(model.view(), start, {bottom}, {}, kRim);
+  const auto second = shortest_path(model.view(), start, {bottom}, {first->legs[1].edge}, kRim);
   ASSERT_TRUE(second);
   expect_connected(*second);
   EXPECT_GT(second->legs[0].to.x(), 0.99);  // down at the other corner
 }
 
 TEST(ShortestPath, HopsToTheRimOfAHole) {
-  const auto model = initial_model({{rectangle(0, 0, 3, 1), hole(2, 0.25, 2.5, 0.75)}});
-  const auto id = segments_of(model).front();
-  std::set<geometry::EdgeId> outer;  // barred, so that the rim is all that is left of the goal
-  for (const auto& e : edges_of(model, id))
-    if (!e.hole && e.from.y() + e.to.y() > 0.01) outer.insert(e.id);
-  const auto path = shortest_path(model.view(), {0.1, 0, 0.1}, {id}, outer);
+  // The goal's outer perimeter is barred, so that the rim of its hole is all that is left.
+  const auto model =
+      initial_model({{rectangle(0, 0, 1, 1)}, {rectangle(1.3, 0, 3, 1), hole(2, 0.25, 2.5, 0.75)}});
+  const auto goal = segments_of(model)[1];
+  std::set<geometry::EdgeId> outer;
+  for (const auto& e : edges_of(model, goal))
+    if (!e.hole) outer.insert(e.id);
+  const auto path = shortest_path(model.view(), {0.9, 0.5, 0.1}, {goal}, outer, kRim);
   ASSERT_TRUE(path);
-  EXPECT_EQ(path->goal, id);
+  expect_connected(*path);
+  EXPECT_TRUE(model.view().edge(path->legs.back().edge)->hole);
 }
 
 TEST(ShortestPath, HopsToASurfaceThatIsNotJoined) {
   const auto model =
       initial_model({{rectangle(0, 0, 1, 1)}, {rectangle(1.3, 0, 2, 1)}, {rectangle(5, 0, 6, 1)}});
   const auto segments = segments_of(model);
-  const auto path = shortest_path(model.view(), {0, 0.1, 0.1}, {segments[1]}, {});
+  const auto path = shortest_path(model.view(), {0, 0.1, 0.1}, {segments[1]}, {}, kRim);
   ASSERT_TRUE(path);
   expect_connected(*path);
   EXPECT_EQ(path->goal, segments[1]);
@@ -94,14 +99,16 @@ TEST(ShortestPath, DoesNotHopThroughTheBody) {
                                     {{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}},
                                     {{{1.0, 0, 0}, {1.0, 1, 0}, {1.0, 1, 0.4}, {1.0, 0, 0.4}}}});
   const auto bottom = segments_of(model)[1];
-  const auto path = shortest_path(model.view(), {0.1, 0.5, 0.5}, {bottom}, {});
+  const auto path = shortest_path(model.view(), {0.1, 0.5, 0.5}, {bottom}, {}, kRim);
   ASSERT_TRUE(path);
-  for (const auto& leg : path->legs) EXPECT_TRUE(leg.edge || (leg.to - leg.from).norm() < 0.1) << leg.from.transpose() << " to " << leg.to.transpose();
+  for (const auto& leg : path->legs)
+    EXPECT_TRUE(leg.edge || (leg.to - leg.from).norm() < 0.1)
+        << leg.from.transpose() << " to " << leg.to.transpose();
 }
 
 TEST(ShortestPath, IsNoneInAnEmptyModel) {
   const model::Model model(model::Parameters{});
-  EXPECT_FALSE(shortest_path(model.view(), {0, 0, 0}, {{1}}, {}));
+  EXPECT_FALSE(shortest_path(model.view(), {0, 0, 0}, {{1}}, {}, kRim));
 }
 
 }  // namespace
