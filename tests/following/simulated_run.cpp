@@ -169,7 +169,12 @@ RunResult run_thesis(const Mesh& mesh, const RunOptions& options,
     result.path += (after - before).norm();
     result.clearance = std::min(result.clearance, least_along(mesh, before, after));
     const auto near = model.view().nearest(model::Capsule{before, after, 0}, 1);
-    if (near) result.model_clearance = std::min(result.model_clearance, near->distance);
+    const auto start_near = model.view().nearest(before, 1);
+    if (near && start_near) {
+      result.model_clearance = std::min(result.model_clearance, near->distance);
+      const double allowed = std::min(parameters.clearance(), start_near->distance);
+      result.encroachment = std::max(result.encroachment, allowed - near->distance);
+    }
   }
   result.marks = follower->marks();
   model.finish();

@@ -30,7 +30,10 @@ struct RunResult {
   std::int64_t polygons = 0;
   std::int64_t open_edges = 0;
   double clearance = 0;        ///< smallest distance of the control point's way from the mesh
-  double model_clearance = 0;  ///< smallest distance that a motion led to, from the model before it
+  double model_clearance = 0;  ///< smallest distance of a motion from the model that it was chosen by
+  /// By how much a motion came nearer to that model than δ − λ, or than its start if this was nearer already;
+  /// the largest.
+  double encroachment = 0;
   std::array<int, 8> sets_by_mode{};
   std::vector<Eigen::Vector3d> places;  ///< of the control point, at each set
   std::vector<double> step_us;          ///< time of each next(), microseconds

@@ -29,7 +29,7 @@ TEST_P(ThesisRun, EndsByItselfWithAClosedModelAndKeepsItsDistance) {
   EXPECT_EQ(run.end, End::complete);
   EXPECT_TRUE(run.closed) << run.open_edges << " open edges";
   EXPECT_EQ(run.polygons, faces);
-  EXPECT_GE(run.model_clearance, parameters.clearance() - 1e-9);
+  EXPECT_LT(run.encroachment, 1e-9);
   EXPECT_GT(run.clearance, 0.5 * parameters.clearance());
   for (const Mode mode : {Mode::current_segment, Mode::current_edge, Mode::gap})
     EXPECT_GT(run.sets_by_mode[static_cast<std::size_t>(mode)], 0) << name_of(mode);
