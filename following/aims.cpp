@@ -96,8 +96,11 @@ double AimChooser::worth(const Vector3d& place, const std::vector<Target>& targe
   return sum;
 }
 
-bool AimChooser::is_good(const model::View& view, const Clearance& clearance, const Aim& aim) const {
-  if (!clearance.is_safe(view, here_, aim.place, kMargin * clearance.least())) return false;
+bool AimChooser::is_good(const model::View& view, const Clearance& clearance, const Aim& aim,
+                         bool narrow) const {
+  if (narrow ? !clearance.is_clear(view, here_, aim.place)
+             : !clearance.is_safe(view, here_, aim.place, kMargin * clearance.least()))
+    return false;
   const Vector3d way = aim.target.at - aim.place;
   const auto hit = view.first_hit(aim.place, way, way.norm() - lambda_ / 2);
   return !hit;
@@ -114,8 +117,9 @@ std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& 
   }
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Aim& a, const Aim& b) { return a.value > b.value; });
-  for (const Aim& aim : candidates_)
-    if (is_good(view, clearance, aim)) return aim;
+  for (const bool narrow : {false, true})
+    for (const Aim& aim : candidates_)
+      if (is_good(view, clearance, aim, narrow)) return aim;
   return std::nullopt;
 }
 

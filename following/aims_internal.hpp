@@ -26,7 +26,8 @@ class AimChooser {
   /// `step`: how far the control point moves in one step.
   AimChooser(const Parameters& parameters, const kinematics::Posture&, double step);
 
-  /// The best aim that the control point can go to in a straight line, keeping clear; none if there is none.
+  /// The best aim that the control point can go to in a straight line, with some room to spare if there is
+  /// such an aim, else keeping clear; none if there is none.
   std::optional<Aim> choose(const model::View&, const Clearance&, const std::vector<Target>&);
 
  private:
@@ -45,7 +46,9 @@ class AimChooser {
   void add_candidates(const std::vector<Target>&);
   void add_candidates(const Target&);
   double worth(const Eigen::Vector3d& place, const std::vector<Target>&);
-  bool is_good(const model::View&, const Clearance&, const Aim&) const;
+  /// Can the control point go there, and does it see the target from there? `narrow`: it need not keep more
+  /// than the clearance.
+  bool is_good(const model::View&, const Clearance&, const Aim&, bool narrow) const;
 
   double lambda_, height_, step_;
   Eigen::Vector3d here_;

@@ -20,8 +20,9 @@ using internal::OpenPart;
 using internal::Target;
 using model::View;
 
-constexpr double kWithinReach = 3.5;  ///< λ: open edges this near can be aimed at
-constexpr int kStuck = 6;
+constexpr double kWithinReach = 3.5;   ///< λ: open edges this near can be aimed at
+constexpr double kTravelMargin = 1.2;  ///< δ − λ
+constexpr int kStuck = 12;
 constexpr long kOutcomePeriod = 20;  ///< sets
 
 class FrontierFollower : public Follower {
@@ -50,6 +51,7 @@ class FrontierFollower : public Follower {
   Motion travel(const Observation&);
   std::vector<Vector3d> way_to_what_is_wanted() const;
   Motion start(const Observation&);
+  Vector3d bent_off(const View&, const Vector3d& here, const Vector3d& motion) const;
   Vector3d kept_off(const View&, const Vector3d& here, const Vector3d& motion) const;
   void give_up_what_is_near();
   void leave_what_would_close(const Observation&);
@@ -162,9 +164,19 @@ void FrontierFollower::leave_what_would_close(const Observation& seen) {
   open_.note(seen.model.would_finish());
 }
 
-/// A motion that goes straight if that is clear, and else along the surface that is in the way, and off it.
+/// A motion that goes straight, if that is safe, or else along the surface that is in the way, and off it;
+/// where it is too narrow to be safe, one of the two that is clear.
 Vector3d FrontierFollower::kept_off(const View& view, const Vector3d& here, const Vector3d& motion) const {
-  if (clearance().is_safe(view, here, here + motion, 1.2 * clearance().least())) return motion;
+  const Vector3d bent = bent_off(view, here, motion);
+  for (const Vector3d& way : {motion, bent})
+    if (clearance().is_safe(view, here, here + way, kTravelMargin * clearance().least())) return way;
+  for (const Vector3d& way : {motion, bent})
+    if (clearance().is_clear(view, here, here + way)) return way;
+  return bent;
+}
+
+/// Without what leads towards the nearest surface, and away from it where it is near.
+Vector3d FrontierFollower::bent_off(const View& view, const Vector3d& here, const Vector3d& motion) const {
   const double wanted = 1.5 * clearance().least();
   const auto nearest = view.nearest(here, 2 * wanted);
   if (!nearest || nearest->distance == 0) return motion;
@@ -199,7 +211,7 @@ Motion FrontierFollower::travel(const Observation& seen) {
   // Straight to the farthest place of the way that is in sight.
   const View view = seen.model.view();
   for (int looked = 0; looked < 4 && way_.size() > 1; ++looked) {
-    if (!clearance().is_safe(view, here, way_[way_.size() - 2], 1.2 * clearance().least())) break;
+    if (!clearance().is_safe(view, here, way_[way_.size() - 2], kTravelMargin * clearance().least())) break;
     way_.pop_back();
   }
   const Vector3d motion = way_.back() - here;

@@ -99,7 +99,7 @@ void OpenEdgeMap::note(const model::Outcome& outcome) {
   };
   for (const auto& edge : outcome.edges) set_closes(edge.edge.value, edge.closes);
   for (const auto& left : outcome.left)
-    places_.for_each_within((left.from + left.to) / 2, part_length_ / 2,
+    places_.for_each_within((left.from + left.to) / 2, part_length_,
                             [&](const Vector3d&, const Place& place) { set_closes(place.edge, false); });
 }
 
