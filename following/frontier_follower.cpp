@@ -52,7 +52,8 @@ class FrontierFollower : public Follower {
   std::vector<Vector3d> way_to_what_is_wanted() const;
   Motion start(const Observation&);
   Vector3d bent_off(const View&, const Vector3d& here, const Vector3d& motion) const;
-  Vector3d kept_off(const View&, const Vector3d& here, const Vector3d& motion) const;
+  Vector3d kept_off(const Observation&, const Vector3d& motion) const;
+  Vector3d way_out(const Observation&) const;
   void give_up_what_is_near();
   void leave_what_would_close(const Observation&);
 
@@ -70,8 +71,8 @@ class FrontierFollower : public Follower {
   std::optional<Aim> aim_;
   std::vector<Vector3d> way_;  ///< of a travel, the next place last
   Vector3d before_ = Vector3d::Zero();
-  long sets_ = 0;
-  int stuck_ = 0;  ///< how often travels have been stopped since the last one that arrived
+  long sets_ = 0, asked_ = -1;  ///< sets so far, and when it was last asked what would close
+  int stuck_ = 0;               ///< how often travels have been stopped since the last one that arrived
   bool began_ = false, travels_ = false, has_not_moved_ = false;
 };
 
@@ -162,17 +163,37 @@ void FrontierFollower::give_up_what_is_near() {
 
 void FrontierFollower::leave_what_would_close(const Observation& seen) {
   open_.note(seen.model.would_finish());
+  asked_ = sets_;
 }
 
 /// A motion that goes straight, if that is safe, or else along the surface that is in the way, and off it;
-/// where it is too narrow to be safe, one of the two that is clear.
-Vector3d FrontierFollower::kept_off(const View& view, const Vector3d& here, const Vector3d& motion) const {
+/// where it is too narrow to be safe, one of the two that is clear; and else the way out.
+Vector3d FrontierFollower::kept_off(const Observation& seen, const Vector3d& motion) const {
+  const View view = seen.model.view();
+  const Vector3d here = seen.posture.control_point();
   const Vector3d bent = bent_off(view, here, motion);
   for (const Vector3d& way : {motion, bent})
     if (clearance().is_safe(view, here, here + way, kTravelMargin * clearance().least())) return way;
   for (const Vector3d& way : {motion, bent})
     if (clearance().is_clear(view, here, here + way)) return way;
-  return bent;
+  return way_out(seen);
+}
+
+/// The clear step that leads farthest from what is near.
+Vector3d FrontierFollower::way_out(const Observation& seen) const {
+  const View view = seen.model.view();
+  const Vector3d here = seen.posture.control_point();
+  const double reach = 2 * clearance().least();
+  Vector3d best = Vector3d::Zero();
+  double farthest = clearance().at(view, here, reach);
+  for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i)
+    for (const double length : {step(seen), step(seen) / 4}) {
+      const Vector3d way = length * seen.posture.sensor(i).axis;
+      if (!clearance().is_clear(view, here, here + way)) continue;
+      const double distance = clearance().at(view, here + way, reach);
+      if (distance > farthest) best = way, farthest = distance;
+    }
+  return best;
 }
 
 /// Without what leads towards the nearest surface, and away from it where it is near.
@@ -202,12 +223,15 @@ Motion FrontierFollower::travel(const Observation& seen) {
   }
   travels_ = true;
   if (way_.empty()) {
-    leave_what_would_close(seen);
+    if (sets_ - asked_ >= kOutcomePeriod / 2) leave_what_would_close(seen);
     way_ = way_to_what_is_wanted();
+    if (way_.empty() && sets_ != asked_) leave_what_would_close(seen);
+    if (way_.empty()) way_ = way_to_what_is_wanted();
     if (way_.empty() && open_.insist()) way_ = way_to_what_is_wanted();
     if (way_.empty()) return {Vector3d::Zero(), Mode::travel, End::complete};
     std::reverse(way_.begin(), way_.end());
   }
+  if (way_.size() > 1 && (way_.back() - here).norm() < 0.1 * lambda()) way_.pop_back();
   // Straight to the farthest place of the way that is in sight.
   const View view = seen.model.view();
   for (int looked = 0; looked < 4 && way_.size() > 1; ++looked) {
@@ -216,7 +240,7 @@ Motion FrontierFollower::travel(const Observation& seen) {
   }
   const Vector3d motion = way_.back() - here;
   if (motion.norm() < step(seen) + 1e-6 * lambda()) way_.pop_back();
-  return {kept_off(view, here, motion.normalized() * std::min(motion.norm(), step(seen))), Mode::travel};
+  return {kept_off(seen, motion.normalized() * std::min(motion.norm(), step(seen))), Mode::travel};
 }
 
 /// Before anything is known: towards the nearest reading, or none.
