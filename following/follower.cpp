@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/following/follower.hpp>
-#include <limpet/following/frontier_follower.hpp>
-#include <limpet/following/thesis_follower.hpp>
+#include <limpet/following/frontier/frontier_follower.hpp>
+#include <limpet/following/thesis/thesis_follower.hpp>
 
 #include <cmath>
 #include <stdexcept>

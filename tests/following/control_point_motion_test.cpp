@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limpet/following/control_point_motion.hpp>
+#include <limpet/following/thesis/control_point_motion.hpp>
 #include <limpet/survey/random.hpp>
 
 namespace limpet::following {

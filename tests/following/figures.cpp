@@ -55,7 +55,7 @@ int main(int count, char** arguments) {
       options.noise = std::atof(arguments[3]);
       options.seed = first + static_cast<unsigned long long>(i);
       if (count > 5) options.most_sets = std::atoi(arguments[5]);
-      const RunResult r = run_thesis(mesh, options);
+      const RunResult r = run_following(mesh, options);
       print(world.c_str(), options.seed, r);
       sets.push_back(r.sets), paths.push_back(r.path);
       closed += r.closed;

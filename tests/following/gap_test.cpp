@@ -1,8 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <gtest/gtest.h>
 
-#include <limpet/following/gap_following_internal.hpp>
-#include <limpet/following/gap_internal.hpp>
+#include <limpet/following/thesis/gap_following_internal.hpp>
+#include <limpet/following/thesis/gap_internal.hpp>
 
 #include "initial_model.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
-#include <limpet/following/edges_internal.hpp>
+#include <limpet/following/thesis/edges_internal.hpp>
 #include <limpet/model/model.hpp>
 #include <limpet/model/view.hpp>
 #include <limpet/simulation/initial_faces.hpp>

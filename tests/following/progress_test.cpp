@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limpet/following/places_internal.hpp>
-#include <limpet/following/progress_internal.hpp>
+#include <limpet/following/thesis/places_internal.hpp>
+#include <limpet/following/thesis/progress_internal.hpp>
 
 namespace limpet::following::internal {
 namespace {

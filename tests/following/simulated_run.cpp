@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <limpet/following/thesis_follower.hpp>
 #include <limpet/simulation/box_world.hpp>
 #include <limpet/simulation/shapes.hpp>
 #include <limpet/simulation/world.hpp>
@@ -138,15 +137,15 @@ Mesh make_world_mesh(const std::string& name) {
   return simulation::make_shape(name);
 }
 
-RunResult run_thesis(const Mesh& mesh, const RunOptions& options,
-                     const std::function<void(const Observation&, const Motion&)>& watch) {
+RunResult run_following(const Mesh& mesh, const RunOptions& options,
+                        const std::function<void(const Observation&, const Motion&)>& watch) {
   const Parameters parameters = usual_parameters(options.resolution);
   SimulatedRobot robot(mesh, options, parameters.sensing_range);
   model::Parameters model_parameters;
   model_parameters.resolution = options.resolution;
   model_parameters.noise = options.noise;
   model::Model model(model_parameters);
-  const auto follower = make_thesis_follower(parameters);
+  const auto follower = make_follower(options.strategy, parameters);
   RunResult result;
   result.clearance = result.model_clearance = std::numeric_limits<double>::infinity();
   while (result.sets < options.most_sets) {

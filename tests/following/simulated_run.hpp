@@ -14,10 +14,11 @@
 
 namespace limpet::following {
 
-/// A point robot that follows a mesh with the strategy of the thesis.
+/// A point robot that follows a mesh.
 struct RunOptions {
   double resolution = 0.05;
-  double noise = 0;        ///< standard deviation of a reading along its axis
+  double noise = 0;  ///< standard deviation of a reading along its axis
+  Strategy strategy = Strategy::thesis;
   std::uint64_t seed = 1;  ///< of the start, the heading and the noise
   int most_sets = 60000;
 };
@@ -45,7 +46,7 @@ struct RunResult {
 simulation::Mesh make_world_mesh(const std::string& name);
 const std::vector<std::string>& world_names();
 
-RunResult run_thesis(const simulation::Mesh&, const RunOptions&,
-                     const std::function<void(const Observation&, const Motion&)>& watch = {});
+RunResult run_following(const simulation::Mesh&, const RunOptions&,
+                        const std::function<void(const Observation&, const Motion&)>& watch = {});
 
 }  // namespace limpet::following

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <gtest/gtest.h>
 
-#include <limpet/following/slices_internal.hpp>
+#include <limpet/following/thesis/slices_internal.hpp>
 
 namespace limpet::following::internal {
 namespace {

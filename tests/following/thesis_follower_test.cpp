@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <gtest/gtest.h>
 
-#include <limpet/following/thesis_follower.hpp>
+#include <limpet/following/thesis/thesis_follower.hpp>
 #include <limpet/simulation/world.hpp>
 
 #include "initial_model.hpp"
@@ -25,7 +25,7 @@ TEST_P(ThesisRun, EndsByItselfWithAClosedModelAndKeepsItsDistance) {
   RunOptions options;
   options.noise = noise;
   const Parameters parameters = usual_parameters(options.resolution);
-  const RunResult run = run_thesis(make_world_mesh(world), options);
+  const RunResult run = run_following(make_world_mesh(world), options);
   EXPECT_EQ(run.end, End::complete);
   EXPECT_TRUE(run.closed) << run.open_edges << " open edges";
   EXPECT_EQ(run.polygons, faces);
@@ -44,14 +44,14 @@ TEST(ThesisFollower, TheSameSeedGivesTheSameMotions) {
   options.noise = 0.002;
   options.most_sets = 400;
   const auto mesh = make_world_mesh("cube");
-  const RunResult a = run_thesis(mesh, options), b = run_thesis(mesh, options);
+  const RunResult a = run_following(mesh, options), b = run_following(mesh, options);
   EXPECT_EQ(a.places, b.places);
 }
 
 TEST(ThesisFollower, MotionsAreNoLongerThanTheStepAndTheCeiling) {
   RunOptions options;
   options.most_sets = 300;
-  run_thesis(make_world_mesh("cube"), options, [&](const Observation&, const Motion& motion) {
+  run_following(make_world_mesh("cube"), options, [&](const Observation&, const Motion& motion) {
     EXPECT_LE(motion.displacement.norm(), options.resolution + 1e-12);  // the robot's ceiling γ
   });
 }

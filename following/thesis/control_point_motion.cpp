@@ -1,5 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <limpet/following/control_point_motion.hpp>
+#include <limpet/following/thesis/control_point_motion.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <algorithm>
 #include <limits>
-#include <limpet/following/control_point_motion.hpp>
-#include <limpet/following/thesis_follower.hpp>
+#include <limpet/following/thesis/control_point_motion.hpp>
+#include <limpet/following/thesis/thesis_follower.hpp>
 #include <utility>
 #include <variant>
 

@@ -1,5 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <limpet/following/frontier_follower.hpp>
+#include <limpet/following/frontier/frontier_follower.hpp>
 
 #include <algorithm>
 #include <cmath>
