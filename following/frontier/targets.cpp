@@ -72,6 +72,7 @@ PartState TargetFinder::add(const View& view, const OpenPart& part, std::vector<
   const Vector3d outward = (part.to - part.from).cross(normal).normalized();
   if (!outward.allFinite() || outward.isZero()) return PartState::done;
   const Vector3d middle = part.middle(), first = middle + kFirst * lambda_ * outward;
+  if (part.insist) return insist(part, normal, outward, targets);
   if (view.nearest(first, 0.4 * lambda_, {.only = part.segment}))
     return PartState::done;  // in a narrow inlet
   view.nearest(first, 1.5 * lambda_, others_, {.but = part.segment, .points = false});
