@@ -3,27 +3,20 @@
 // `limpet follow`: a simulated robot feels an object until its model is complete.
 #include <chrono>
 #include <cstdio>
-#include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/follow_result.hpp>
 #include <limpet/app/follow_run.hpp>
-#include <limpet/app/follow_summary.hpp>
 #include <limpet/app/interrupt.hpp>
 #include <limpet/app/progress.hpp>
-#include <limpet/io/error.hpp>
-#include <limpet/io/mesh_writer.hpp>
+#include <limpet/app/run_record.hpp>
+#include <limpet/geometry/predicates.hpp>
 #include <limpet/io/text.hpp>
 #include <limpet/model/view.hpp>
+#include <optional>
+#include <utility>
 
 namespace limpet::app {
 namespace {
-
-void require_outputs(const FollowArguments& args) {
-  for (const std::string& path : args.models) {
-    require_model_name(path);
-    require_writable(path);
-  }
-  if (!args.json.empty() && args.json != "-") require_writable(args.json);
-}
 
 void say_choice(const FollowArguments& args, const FollowSetup& setup) {
   if (args.quiet) return;
@@ -64,44 +57,54 @@ evaluation::RunJudgement judge_by_truth(const FollowSetup& setup, const FollowOu
       *setup.world.truth, {outcome.path, model.record(), given_up(model.view(), outcome.marks)}, options);
 }
 
+RunHead head_of(const FollowSetup& setup) {
+  return {geometry::arithmetic(), setup.strategy, setup.seed,         setup.model,
+          setup.following,        setup.robot,    setup.world.initial};
+}
+
+RunSet set_of(const FollowStep& step) {
+  RunSet set;
+  if (step.motion.end == following::End::none) set.mode = step.motion.mode;
+  set.sensed = step.sensed;
+  set.control_point = step.control_point;
+  return set;
+}
+
+std::string note_on(const FollowStep& step) {
+  const model::Counts counts = step.model.counts();
+  return std::to_string(counts.polygons) + " polygons, " +
+         std::to_string(counts.edges - 2 * counts.shared_edges) + " open edges, " +
+         std::string(following::name_of(step.motion.mode));
+}
+
 }  // namespace
 
 int run(const FollowArguments& args) {
+  if (!args.replay.empty()) return run_again(args);
   require_outputs(args);
   const FollowSetup setup = make_setup(args);
   say_choice(args, setup);
   catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
   FollowRun follow(setup);
+  std::optional<RunRecord> record;
+  if (!args.record.empty()) record.emplace(args.record, head_of(setup));
   Progress progress("following", -1, args.quiet);
-  std::int64_t sets = 0, violations = 0;
-  const auto judge_model = [&] {
-    for (const auto& violation : judge(follow.model().record()))
-      if (violations++ < 20)
-        std::fprintf(stderr, "limpet: broken after set %lld: %s, %s: %s\n", static_cast<long long>(sets),
-                     violation.law.c_str(), violation.where.c_str(), violation.what.c_str());
-  };
+  RunJudge judge;
+  std::int64_t sets = 0;
   FollowSummary summary;
   summary.run = follow.go([&](const FollowStep& step) {
     ++sets;
-    const model::Counts counts = step.model.counts();
-    progress.step(sets, std::to_string(counts.polygons) + " polygons, " +
-                            std::to_string(counts.edges - 2 * counts.shared_edges) + " open edges, " +
-                            std::string(following::name_of(step.motion.mode)));
-    if (args.check_every > 0 && sets % args.check_every == 0) judge_model();
+    if (record) record->add(set_of(step));
+    progress.step(sets, note_on(step));
+    if (args.check_every > 0 && sets % args.check_every == 0) judge.judge_model(step.model, sets);
   });
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress.clear();
-  judge_model();
-  const model::ModelRecord record = follow.model().record();
-  summary.model = summarise(record, follow.model().open_edges());
-  summary.model.violations = violations;
-  summary.model.seconds = summary.seconds;
-  for (const std::string& path : args.models) io::save_model(path, record);
+  if (record) record->end({summary.run.ended, summary.run.marks});
+  judge.judge_model(follow.model(), sets);
   if (setup.world.truth) summary.truth = judge_by_truth(setup, summary.run, follow.model());
-  if (!args.json.empty()) save_text(args.json, to_json(summary));
-  if (!args.quiet) std::fprintf(args.json == "-" ? stderr : stdout, "%s", to_text(summary).c_str());
-  return violations > 0 || summary.run.ended != "complete" ? kFallsShort : kDone;
+  return save_result(args, std::move(summary), follow.model(), judge);
 }
 
 }  // namespace limpet::app

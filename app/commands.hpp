@@ -61,10 +61,14 @@ struct FollowArguments {
   std::optional<std::int64_t> max_sets;
   std::optional<std::uint64_t> seed;
   std::int64_t check_every = 0;  ///< sets; 0: the final model only
+  std::string record;            ///< where to record the run; empty: nowhere
+  std::string replay;            ///< a recorded run to model again, instead of a scene
   std::string json;
   bool quiet = false;
 };
 int run(const FollowArguments&);
+/// `limpet follow --replay RUN`
+int run_again(const FollowArguments&);
 
 struct ScanArguments {
   std::string mesh;  ///< the name of a shape, or a mesh file
@@ -113,7 +117,8 @@ int run(const CompareArguments&);
 int run_by_labels(const CompareArguments&);
 
 struct DrawArguments {
-  std::vector<std::string> models;
+  std::vector<std::string> models;  ///< and recorded runs
+  int stages = 4;                   ///< of each run
   std::string picture;
   int width = 1600;                    ///< pixels
   std::vector<Eigen::Vector3d> views;  ///< from where to look, as seen from the model

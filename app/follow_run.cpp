@@ -59,7 +59,7 @@ std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(co
 
     if (motion.end == following::End::no_surface)
       throw UsageError("no surface is within sensing range of the start; give another --start");
-    look({sensed, motion, model_});
+    look({sensed, motion, model_, outcome.path.back()});
     if (motion.end != following::End::none) return std::string(following::name_of(motion.end));
     ++outcome.steps_in_mode[static_cast<std::size_t>(motion.mode)];
     at += kinematics::actuator_changes(posture, motion.displacement);

@@ -19,6 +19,7 @@ struct FollowStep {
   const simulation::Sensed& sensed;
   const following::Motion& motion;
   const model::Model& model;
+  const Eigen::Vector3d& control_point;  ///< where it truly is
 };
 
 /// What a run has come to. Times are of each set, in microseconds.
@@ -27,8 +28,8 @@ struct FollowOutcome {
   std::vector<Eigen::Vector3d> path;  ///< where the control point truly was at each set
   std::int64_t readings = 0;
   std::array<std::int64_t, following::kModeCount> steps_in_mode{};
-  following::Marks marks;  ///< by the model before it was finished
-  std::vector<double> step_us, model_us;
+  following::Marks marks;                 ///< by the model before it was finished
+  std::vector<double> step_us, model_us;  ///< step_us: empty when nothing was decided, in a replay
 };
 
 /// A simulated run of following: the loop of thesis §1.2.

@@ -16,6 +16,12 @@ double quantile(std::vector<double> values, double part) {
   return values[static_cast<std::size_t>(at)];
 }
 
+std::string microseconds(const std::vector<double>& times) {
+  char text[80];
+  std::snprintf(text, sizeof text, "%.0f us (99 %%: %.0f)", quantile(times, 0.5), quantile(times, 0.99));
+  return text;
+}
+
 double length_of(const std::vector<Eigen::Vector3d>& path) {
   double length = 0;
   for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
@@ -50,8 +56,10 @@ std::string to_json(const FollowSummary& s) {
       json["tour_length"] = s.truth->tour->path_length;
     }
   }
-  json["step_us_median"] = quantile(run.step_us, 0.5);
-  json["step_us_p99"] = quantile(run.step_us, 0.99);
+  if (!run.step_us.empty()) {
+    json["step_us_median"] = quantile(run.step_us, 0.5);
+    json["step_us_p99"] = quantile(run.step_us, 0.99);
+  }
   json["model_us_median"] = quantile(run.model_us, 0.5);
   json["model_us_p99"] = quantile(run.model_us, 0.99);
   json["modes"] = nlohmann::ordered_json::object();
@@ -90,11 +98,8 @@ std::string to_text(const FollowSummary& s) {
             " edges or segments as unreachable, " +
             io::grouped(static_cast<std::int64_t>(s.run.marks.unclosable_edges.size())) +
             " edges as unclosable\n";
-  std::snprintf(line, sizeof line,
-                "a step takes %.0f us to decide (99 %%: %.0f) and %.0f us to model (99 %%: %.0f)\n",
-                quantile(s.run.step_us, 0.5), quantile(s.run.step_us, 0.99), quantile(s.run.model_us, 0.5),
-                quantile(s.run.model_us, 0.99));
-  return text + line + to_text(s.model);
+  if (!s.run.step_us.empty()) text += "a step takes " + microseconds(s.run.step_us) + " to decide\n";
+  return text + "a set takes " + microseconds(s.run.model_us) + " to model\n" + to_text(s.model);
 }
 
 }  // namespace limpet::app

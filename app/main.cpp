@@ -117,11 +117,25 @@ void add_model(CLI::App& root, Command& chosen) {
   add_quiet_and_json(app, args->quiet, &args->json);
 }
 
+/// A recorded run says all that these options say.
+void refuse_with_replay(CLI::App& app, const FollowArguments& args) {
+  app.final_callback([&app, &args] {
+    if (args.replay.empty()) {
+      if (args.scene.empty()) throw UsageError("give a SCENE, or --replay RUN; see limpet follow --help");
+      return;
+    }
+    for (const std::string name :
+         {"SCENE", "--record", "--robot", "--strategy", "--start", "--initial", "--resolution", "--angle",
+          "--noise", "--encoder-noise", "--redundancy", "--max-sets", "--seed"})
+      if (app.count(name) > 0)
+        throw UsageError("--replay RUN takes no " + name + ": the recorded run is modelled as it was");
+  });
+}
+
 void add_follow(CLI::App& root, Command& chosen) {
   auto& app = *root.add_subcommand("follow", "Drive a simulated robot over an object until it is modelled");
   const auto args = make_command<FollowArguments>(app, chosen);
-  app.add_option("SCENE", args->scene, "A shape, a mesh (.off, .stl, .obj, .ply), or a scene file (.toml)")
-      ->required();
+  app.add_option("SCENE", args->scene, "A shape, a mesh (.off, .stl, .obj, .ply), or a scene file (.toml)");
   app.add_option("-o,--output", args->models, "Where to write the model: .limpet, .off, .ply, .obj, .stl")
       ->required()
       ->expected(1)
@@ -158,6 +172,11 @@ void add_follow(CLI::App& root, Command& chosen) {
   app.add_option("--seed", args->seed, "Of all that is random (default 1)");
   app.add_option("--check-every", args->check_every, "Let the oracle judge after every Nth set too")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+  app.add_option("--record", args->record, "Record the run there, to be replayed and drawn")
+      ->type_name("RUN");
+  app.add_option("--replay", args->replay, "Model a recorded run again, instead of following a scene")
+      ->type_name("RUN");
+  refuse_with_replay(app, *args);
   add_quiet_and_json(app, args->quiet, &args->json);
 }
 
@@ -256,7 +275,11 @@ void add_compare(CLI::App& root, Command& chosen) {
 void add_draw(CLI::App& root, Command& chosen) {
   auto& app = *root.add_subcommand("draw", "Draw models, without a display; several as stages of growth");
   const auto args = make_command<DrawArguments>(app, chosen);
-  app.add_option("MODEL", args->models, "Native model files, .limpet; also meshes and shapes")->required();
+  app.add_option("MODEL", args->models,
+                 "Native model files, .limpet; also recorded runs of limpet follow, meshes and shapes")
+      ->required();
+  app.add_option("--stages", args->stages, "Stages to draw of a recorded run, with its path (default 4)")
+      ->check(CLI::Range(1, 64));
   app.add_option("-o,--output", args->picture, "Where to write the picture: .png or .svg")->required();
   app.add_option("--width", args->width, "Of the sheet, in pixels (default 1600)")
       ->check(CLI::Range(200, 16384));
