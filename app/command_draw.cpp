@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/run_reader.hpp>
+#include <limpet/app/run_stages.hpp>
 #include <limpet/drawing/drawing.hpp>
 #include <limpet/drawing/mesh_record.hpp>
 #include <limpet/io/error.hpp>
@@ -41,6 +43,7 @@ int run(const DrawArguments& args) {
   if (extension != "png" && extension != "svg") {
     throw UsageError("-o " + args.picture + ": a picture is written as .png or .svg");
   }
+  drawing::DrawOptions options;
   std::vector<drawing::Figure> figures;
   for (const std::string& path : args.models) {
     const std::string name = std::filesystem::path(path).stem().string();
@@ -48,11 +51,16 @@ int run(const DrawArguments& args) {
       figures.push_back({drawing::record_of(simulation::make_scene(path).mesh), name});
       continue;
     }
+    if (is_run(path)) {
+      for (drawing::Figure& figure : run_stages(path, args.stages, args.quiet))
+        figures.push_back(std::move(figure));
+      options.vertices = options.loose_points = false;  // which dots of the path could be taken for
+      continue;
+    }
     model::ModelRecord record = io::load_native(path);
     auto open_edges = open_edges_of(record);
     figures.push_back({std::move(record), name, std::move(open_edges)});
   }
-  drawing::DrawOptions options;
   options.width = args.width;
   for (const Eigen::Vector3d& from : args.views) options.views.push_back(view_from(from, args.up));
   if (args.up && args.views.empty()) {

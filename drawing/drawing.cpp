@@ -54,6 +54,7 @@ class Layout {
         if (i == j || options.common_frame) boxes_[i].extend(scenes_[j].box);
       }
     }
+    if (options.common_frame) share_whole_way();
     sheet_.width = options.width;
     const double columns = static_cast<double>(figures.size() == 1 ? views_.size() : figures_in_row());
     unit_ = std::clamp(options.width / 1600.0, 0.5, 4.0);
@@ -92,6 +93,13 @@ class Layout {
   struct Cell {
     std::size_t figure, view;
   };
+
+  /// Stages of growth show beginnings of one way.
+  void share_whole_way() {
+    std::size_t whole = 0;
+    for (const Scene& scene : scenes_) whole = std::max(whole, scene.way.size());
+    for (Scene& scene : scenes_) scene.whole_way = whole;
+  }
 
   std::size_t figures_in_row() const { return std::min(figures_.size(), kMostColumns); }
   double column_left(std::size_t column) const {
@@ -139,6 +147,7 @@ class Layout {
       panel.top = top;
       panel.width = panel_width_;
       panel.height = height;
+      panel.way_width *= unit_;
       project(scenes_[cells[i].figure], views_[cells[i].view], boxes_[cells[i].figure],
               scale_of(cells[i].figure), panel);
       panel.shared_width *= unit_;
@@ -178,6 +187,10 @@ class Layout {
       entry(std::string("open: ") + words(refusal), line, 3.2 * unit_, open_edge_color(refusal));
     if (options_.vertices) entry("vertex", 0, 6.4 * unit_, kInk);
     if (options_.loose_points) entry("point segment", 0, 4.4 * unit_, kLoosePoint);
+    if (std::any_of(scenes_.begin(), scenes_.end(), [](const Scene& s) { return !s.way.empty(); })) {
+      entry("path where it begins", line, 1.8 * unit_, kWayBegins);
+      entry("path where it ends; a dot for each set", line, 1.8 * unit_, kWayEnds);
+    }
     entry("back side", 10 * unit_, 10 * unit_, kBackSide);
     const std::string per_segment = "a colour per segment";
     make_room(54 * unit_ + text_width(per_segment, size));

@@ -15,6 +15,8 @@ struct Figure {
   model::ModelRecord model;
   std::string caption;
   std::vector<model::OpenEdge> open_edges = {};  ///< why they are open, where that is known
+  /// A way past the model, world; where faces hide it, it is not seen. A dot at each place.
+  std::vector<Eigen::Vector3d> way = {};
 };
 
 /// A parallel projection.
@@ -47,8 +49,9 @@ View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>
 /// Draws models onto one sheet, as PNG or SVG by the extension of `path`: one figure with its views side by
 /// side, or several side by side (four in a row) with their views below each other. Faces in a colour per
 /// segment, shaded, their back sides grey; shared edges dark, open edges in a colour for each thing that
-/// refused them a neighbour, orange where that is not known or there is none. The same models give the same
-/// bytes. Errors: OutputError, also for another extension; std::invalid_argument for options out of bounds.
+/// refused them a neighbour, orange where that is not known or there is none; ways blue where they begin and
+/// red where they end, over faces that are paler then. The same models give the same bytes. Errors:
+/// OutputError, also for another extension; std::invalid_argument for options out of bounds.
 void draw(const std::vector<Figure>& figures, const std::string& path, const DrawOptions& options);
 
 }  // namespace limpet::drawing

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limpet/drawing/open_edge_color.hpp>
 #include <limpet/drawing/projection.hpp>
+#include <limpet/drawing/way.hpp>
 #include <limpet/io/text.hpp>
 #include <limpet/io/triangulate.hpp>
 #include <stdexcept>
@@ -41,6 +42,13 @@ io::Color shade(const io::Color& color, const Eigen::Vector3d& normal) {
     shaded[i] = static_cast<std::uint8_t>(std::min(255.0, base * light + 0.5));
   }
   return shaded;
+}
+
+/// So that a way can be seen before it.
+io::Color paler(io::Color color) {
+  for (std::uint8_t& channel : color)
+    channel = static_cast<std::uint8_t>(channel + std::lround(0.6 * (255 - channel)));
+  return color;
 }
 
 std::vector<io::Triangle> triangles_of(const io::LiftedPolygon& polygon) {
@@ -88,6 +96,12 @@ Scene make_scene(const Figure& figure, bool loose_points) {
     if (nothing_else) scene.box.extend(at);
     if (loose_points) scene.loose.push_back(at);
   }
+  for (const Eigen::Vector3d& place : figure.way) {
+    if (!place.allFinite()) continue;
+    scene.way.push_back(place);
+    scene.box.extend(place);
+  }
+  scene.whole_way = scene.way.size();
   return scene;
 }
 
@@ -137,6 +151,7 @@ void project(const Scene& scene, const View& view, const Eigen::AlignedBox3d& bo
     Patch& patch = panel.patches.emplace_back();
     patch.normal = axes * polygon.normal;
     patch.fill = shade(io::segment_color(polygon.id), patch.normal);
+    if (!scene.way.empty()) patch.fill = paler(patch.fill);
     patch.triangles = triangles_of(polygon);
     for (const io::LiftedCycle& cycle : polygon.cycles) {
       Outline& outline = patch.outlines.emplace_back();
@@ -154,6 +169,9 @@ void project(const Scene& scene, const View& view, const Eigen::AlignedBox3d& bo
     panel.loose.push_back(at);
   }
   choose_widths(panel);
+  std::vector<Eigen::Vector3d> way;
+  for (const Eigen::Vector3d& p : scene.way) way.push_back(place(p));
+  add_way(way, scene.whole_way, panel);
 }
 
 View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>& up) {

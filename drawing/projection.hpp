@@ -14,7 +14,9 @@ namespace limpet::drawing {
 struct Scene {
   std::vector<io::LiftedPolygon> polygons;  ///< finite, each with a perimeter of three vertices at least
   std::vector<Eigen::Vector3d> loose;       ///< centres of the point segments
-  Eigen::AlignedBox3d box;                  ///< of the polygons; of the loose points where there are none
+  std::vector<Eigen::Vector3d> way;
+  std::size_t whole_way = 0;  ///< places of the way that `way` is the beginning of
+  Eigen::AlignedBox3d box;  ///< of the polygons and the way; of the loose points where there are no polygons
   std::unordered_map<std::uint64_t, model::Refusal> refusals;  ///< of open edges, by identity
 
   model::Refusal refusal_of(std::uint64_t edge) const {

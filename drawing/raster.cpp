@@ -154,6 +154,10 @@ void draw_dots(Band& band, const Panel& panel) {
   for (const Eigen::Vector3d& p : panel.loose) band.line(p, p, 2 * panel.loose_radius, 1, kLoosePoint);
 }
 
+void draw_way(Band& band, const Panel& panel) {
+  for (const WayPiece& piece : panel.way) band.line(piece.from, piece.to, piece.width, 1, piece.color);
+}
+
 void paint_panel(const Panel& panel, Image& image) {
   const int left = std::max(0, static_cast<int>(panel.left)), top = std::max(0, static_cast<int>(panel.top));
   const int right = std::min(image.width, static_cast<int>(panel.left + panel.width));
@@ -165,6 +169,7 @@ void paint_panel(const Panel& panel, Image& image) {
     draw_edges(band, panel, false);
     draw_edges(band, panel, true);
     draw_dots(band, panel);
+    draw_way(band, panel);
     band.resolve(image);
   }
 }

@@ -14,6 +14,7 @@ namespace limpet::drawing {
 constexpr io::Color kPaper = {255, 255, 255}, kInk = {38, 42, 50}, kPale = {120, 126, 136};
 constexpr io::Color kSharedEdge = {38, 42, 50}, kLoosePoint = {64, 90, 160};
 constexpr io::Color kBackSide = {168, 170, 174};
+constexpr io::Color kWayBegins = {40, 130, 200}, kWayEnds = {176, 0, 84};
 
 /// One boundary cycle of a face: point i, and the colour of the edge from it to the next.
 struct Outline {
@@ -30,12 +31,20 @@ struct Patch {
   io::Color fill{};
 };
 
+/// A short straight part of a way, with round ends; a dot where both ends are one.
+struct WayPiece {
+  Eigen::Vector3d from, to;
+  double width = 1;
+  io::Color color{};
+};
+
 /// A picture of one model from one side. Nothing is drawn outside of its rectangle.
 struct Panel {
   double left = 0, top = 0, width = 0, height = 0;
   std::vector<Patch> patches;
   std::vector<Eigen::Vector3d> loose;
-  double shared_width = 1.6, open_width = 2.6, vertex_radius = 2.4, loose_radius = 1.6;
+  std::vector<WayPiece> way;
+  double shared_width = 1.6, open_width = 2.6, vertex_radius = 2.4, loose_radius = 1.6, way_width = 1.2;
 };
 
 /// A line of text: (left, base) is the left end of its base line, `size` the height of its capitals.

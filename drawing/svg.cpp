@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limpet/drawing/depth_order.hpp>
 #include <limpet/drawing/svg.hpp>
+#include <limpet/drawing/way.hpp>
 #include <limpet/io/text.hpp>
 #include <set>
 
@@ -109,6 +110,33 @@ void append_patch(std::string& text, const Panel& panel, const Patch& patch) {
   }
 }
 
+/// What faces do not hide of a way, as strokes of one colour and width.
+void append_way(std::string& text, const Panel& panel) {
+  const Hiding hiding(panel);
+  const WayPiece* before = nullptr;
+  const auto finish = [&] {
+    if (before)
+      text += "\" stroke=\"" + hex(before->color) + "\" stroke-width=\"" + number(before->width) + "\"/>\n";
+    before = nullptr;
+  };
+  for (const WayPiece& piece : panel.way) {
+    if (hiding.hides((piece.from + piece.to) / 2)) {
+      finish();
+      continue;
+    }
+    const bool goes_on =
+        before && before->to == piece.from && before->color == piece.color && before->width == piece.width;
+    if (!goes_on) {
+      finish();
+      text += "<path fill=\"none\" d=\"";
+      append_point(text, 'M', piece.from);
+    }
+    append_point(text, 'L', piece.to);
+    before = &piece;
+  }
+  finish();
+}
+
 void append_panel(std::string& text, const Panel& panel, std::size_t index) {
   const std::string clip = "panel" + std::to_string(index);
   text += "<clipPath id=\"" + clip + "\"><rect x=\"" + number(panel.left) + "\" y=\"" + number(panel.top) +
@@ -117,6 +145,7 @@ void append_panel(std::string& text, const Panel& panel, std::size_t index) {
   for (const int i : depth_order(panel.patches)) append_patch(text, panel, panel.patches[i]);
   for (const Eigen::Vector3d& p : panel.loose)
     append_dot(text, p.x(), p.y(), panel.loose_radius, kLoosePoint);
+  append_way(text, panel);
   text += "</g>\n";
 }
 
