@@ -2,7 +2,7 @@
 #include <limpet/app/run_reader.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <initializer_list>
 #include <limpet/io/text.hpp>
 #include <stdexcept>
 
@@ -22,6 +22,17 @@ void require(RunFields& fields, const Check& check) {
   } catch (const std::invalid_argument& error) {
     fields.fail(error.what());
   }
+}
+
+/// The next field, which is one of these words.
+std::string one_of(RunFields& fields, std::initializer_list<std::string_view> words) {
+  const std::string_view found = fields.word();
+  std::string known;
+  for (const std::string_view word : words) {
+    if (found == word) return std::string(word);
+    known += (known.empty() ? "" : ", ") + std::string(word);
+  }
+  fields.fail(io::in_quotes(found) + " is none of " + known);
 }
 
 void read_version(RunFields& fields) {
@@ -55,8 +66,7 @@ model::Parameters read_model(RunFields& fields) {
   p.redundancy_count = fields.real(), p.redundancy_ratio = fields.real();
   fields.done();
   fields.line("neighbours");
-  p.neighbours = fields.optional("yes");
-  if (!p.neighbours && !fields.optional("no")) fields.fail("neighbours are yes or no");
+  p.neighbours = one_of(fields, {"yes", "no"}) == "yes";
   fields.done();
   fields.line("rules");
   require(fields, [&] { p.rules = model::Rules::parse(fields.word()); });
@@ -67,8 +77,7 @@ model::Parameters read_model(RunFields& fields) {
 
 following::Strategy read_strategy(RunFields& fields) {
   fields.line("strategy");
-  const bool thesis = fields.optional("thesis");
-  if (!thesis && !fields.optional("frontier")) fields.fail("a strategy is frontier or thesis");
+  const bool thesis = one_of(fields, {"frontier", "thesis"}) == "thesis";
   fields.done();
   return thesis ? following::Strategy::thesis : following::Strategy::frontier;
 }
@@ -89,10 +98,8 @@ following::Parameters read_following(RunFields& fields) {
 
 kinematics::Joint::Kind read_kind(RunFields& fields) {
   using Kind = kinematics::Joint::Kind;
-  if (fields.optional("fixed")) return Kind::fixed;
-  if (fields.optional("prismatic")) return Kind::prismatic;
-  if (!fields.optional("revolute")) fields.fail("a joint is fixed, prismatic or revolute");
-  return Kind::revolute;
+  const std::string kind = one_of(fields, {"fixed", "prismatic", "revolute"});
+  return kind == "fixed" ? Kind::fixed : kind == "prismatic" ? Kind::prismatic : Kind::revolute;
 }
 
 model::Capsule read_capsule(RunFields& fields) {
@@ -179,7 +186,7 @@ RunHead read_head(RunFields& fields) {
   RunHead head;
   read_version(fields);
   fields.line("arithmetic");
-  head.arithmetic = fields.word();
+  head.arithmetic = one_of(fields, {"exact", "float-grid", "float"});
   fields.done();
   fields.line("seed");
   head.seed = fields.integer<std::uint64_t>();
@@ -226,13 +233,6 @@ void read_ids(RunFields& fields, std::vector<Id>& ids) {
   fields.done();
 }
 
-std::string read_reason(RunFields& fields) {
-  const std::string_view reason = fields.word();
-  for (const std::string_view known : {"complete", "max-sets", "interrupted", "stopped"})
-    if (reason == known) return std::string(reason);
-  fields.fail("no run ends as " + io::in_quotes(reason));
-}
-
 }  // namespace
 
 struct RunReader::State {
@@ -246,7 +246,7 @@ struct RunReader::State {
     if (!fields.line_if_any("unclosable_edges")) return false;
     read_ids(fields, end.marks.unclosable_edges);
     if (!fields.line_if_any("end")) return false;
-    end.reason = read_reason(fields);
+    end.reason = one_of(fields, {"complete", "max-sets", "interrupted", "stopped"});
     const std::size_t promised = fields.count();
     if (promised != sets)
       fields.fail("the run had " + std::to_string(promised) + " sets, and there are " + std::to_string(sets));

@@ -18,7 +18,7 @@ TEST_F(Contract, VersionSaysTheArithmetic) {
 }
 
 TEST_F(Contract, HelpOfEveryCommand) {
-  for (const std::string command : {"model", "scan", "check", "compare", "draw"}) {
+  for (const std::string command : {"model", "follow", "scan", "check", "compare", "draw"}) {
     const auto result = run({command, "--help"});
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.out.find("--seed"), std::string::npos) << result.out;

@@ -1,0 +1,295 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Recorded runs: exact, readable when cut short, and never taken for what they are not.
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <limpet/app/run_reader.hpp>
+#include <limpet/app/run_record.hpp>
+#include <limpet/io/error.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "program.hpp"
+
+namespace limpet::app {
+namespace {
+
+class RunFile : public testing::ProgramTest {
+ protected:
+  /// A short run; its name.
+  std::string record(const std::string& scene, long sets, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"follow",
+                                       scene,
+                                       "-q",
+                                       "-o",
+                                       path("m.limpet"),
+                                       "--record",
+                                       path("r.run"),
+                                       "--max-sets",
+                                       std::to_string(sets),
+                                       "--json",
+                                       path("m.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto result = run(arguments);
+    EXPECT_LE(result.code, 1) << result.err;
+    return path("r.run");
+  }
+  testing::Result replay(const std::string& file, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"follow", "--replay", file, "-q", "-o", path("again.limpet")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+  void expect_same_model() const {
+    const std::string model = read(path("m.limpet"));
+    EXPECT_FALSE(model.empty());
+    EXPECT_EQ(read(path("again.limpet")), model);
+  }
+};
+
+constexpr const char* kTriangle = "OFF\n3 1 0\n5 5 5\n6 5 5\n5 6 5\n3 0 1 2\n";
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string joined(const std::vector<std::string>& parts, char by) {
+  std::string text;
+  for (const std::string& part : parts) text += part + by;
+  return text;
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream stream(line);
+  for (std::string field; stream >> field;) fields.push_back(field);
+  return fields;
+}
+
+/// What reading the run says; empty when nothing is wrong.
+std::string complaint(const std::string& path) {
+  try {
+    count_sets(path);
+    return "";
+  } catch (const io::InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(RunNumbers, AreExact) {
+  for (const double x : {0.0, -0.0, 1.0, -0.1, 1e300, 5e-324, -2.2250738585072014e-308,
+                         std::numeric_limits<double>::infinity()}) {
+    const std::string text = hexadecimal(x);
+    EXPECT_EQ(std::strtod(text.c_str(), nullptr), x) << text;
+    EXPECT_EQ(std::signbit(std::strtod(text.c_str(), nullptr)), std::signbit(x)) << text;
+  }
+  EXPECT_EQ(hexadecimal(-0.375), "-0x1.8p-2");
+}
+
+TEST_F(RunFile, ReplayGivesTheSameModel) {
+  struct Case {
+    std::string scene;
+    long sets;
+    std::vector<std::string> more;
+  };
+  const std::string scenes = LIMPET_SOURCE_DIR "/scenes/";
+  for (const Case& c :
+       {Case{"octahedron", 10'000, {}}, Case{"cube", 200, {"--strategy", "thesis"}},
+        Case{scenes + "noisy_L.toml", 150, {}}, Case{scenes + "L_from_one_side.toml", 150, {}}}) {
+    SCOPED_TRACE(c.scene);
+    const std::string file = record(c.scene, c.sets, c.more);
+    const auto result = replay(file, {"--json", path("again.json"), "--check-every", "50"});
+    expect_same_model();
+    const auto was = nlohmann::json::parse(read(path("m.json"))),
+               is = nlohmann::json::parse(read(path("again.json")));
+    EXPECT_EQ(result.code, was["ended"] == "complete" ? 0 : 1) << result.err;
+    for (const std::string key :
+         {"sets", "readings", "ended", "closed", "polygons", "open_edges", "path_length", "unreachable",
+          "unclosable", "modes", "violations", "resolution", "noise"})
+      EXPECT_EQ(is[key], was[key]) << key;
+    EXPECT_FALSE(is.contains("coverage")) << "the truth is not known";
+    EXPECT_FALSE(is.contains("step_us_median")) << "nothing was decided";
+  }
+}
+
+/// Points of a range image lie beside the axes.
+TEST_F(RunFile, PointsBesideTheirAxesAreToldInFull) {
+  const std::string text = read(record(LIMPET_SOURCE_DIR "/scenes/L_from_one_side.toml", 30));
+  EXPECT_NE(text.find(" at "), std::string::npos);
+  EXPECT_NE(text.find("\ninitial "), std::string::npos);
+}
+
+TEST_F(RunFile, HoldsWhatTheRobotSensed) {
+  RunReader reader(record("cube", 40, {"--encoder-noise", "0.001", "--seed", "9"}));
+  EXPECT_EQ(reader.head().seed, 9u);
+  EXPECT_EQ(reader.head().robot.sensors.size(), 26u);
+  EXPECT_EQ(reader.head().strategy, following::Strategy::frontier);
+  RunSet set;
+  int sets = 0;
+  for (; reader.next(set); ++sets) {
+    EXPECT_TRUE(set.mode);
+    const kinematics::Posture posture(reader.head().robot, set.sensed.measured);
+    EXPECT_GT((posture.control_point() - set.control_point).norm(), 0);
+    EXPECT_LT((posture.control_point() - set.control_point).norm(), 0.01);
+    for (std::size_t i = 0; i < set.sensed.points.size(); ++i) {
+      const auto& point = set.sensed.points[i];
+      EXPECT_EQ(point.position, posture.sensor_point(set.sensed.sensors[i], point.range).position);
+    }
+  }
+  EXPECT_EQ(sets, 40);
+  EXPECT_TRUE(reader.is_whole());
+  EXPECT_EQ(reader.end().reason, "max-sets");
+}
+
+TEST_F(RunFile, AnInterruptedRunIsReplayedAsFarAsItWent) {
+  const std::string file = record("cube", 60);
+  const auto lines = lines_of(read(file));
+  std::string short_run;
+  for (std::size_t i = 0, sets = 0; sets < 20; ++i) {
+    short_run += lines[i] + "\n";
+    sets += lines[i].starts_with("set ");
+  }
+  const auto result = replay(write("short.run", short_run + "set extend 0x1.8p"), {"--json", "-"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.error_lines(), 1);
+  EXPECT_NE(result.err.find("cut short"), std::string::npos) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["sets"], 20);
+  EXPECT_EQ(json["ended"], "interrupted");
+  record("cube", 20);
+  expect_same_model();
+}
+
+TEST_F(RunFile, AKilledRunLeavesItsSets) {
+  const pid_t child = start({"follow", "step_hole", "-q", "-o", path("m.limpet"), "--record", path("r.run")});
+  while (!exists("r.run") || read(path("r.run")).find("\nset ") == std::string::npos) ::usleep(2000);
+  ::kill(child, SIGKILL);
+  EXPECT_EQ(finish(child).code, -SIGKILL);
+  RunReader reader(path("r.run"));
+  int sets = 0;
+  for (RunSet set; reader.next(set);) ++sets;
+  EXPECT_GE(sets, 1);
+  EXPECT_FALSE(reader.is_whole());
+}
+
+TEST_F(RunFile, CutAnywhereItIsDamagedOrShort) {
+  const std::string text = read(record("cube", 4));
+  const std::size_t head = text.find("\nset ") + 1;
+  for (std::size_t size = 0; size < text.size(); size += 7) {
+    const std::string file = write("cut.run", text.substr(0, size));
+    const std::string said = complaint(file);
+    if (size < head) {
+      EXPECT_NE(said.find("line "), std::string::npos) << size << " " << said;
+      continue;
+    }
+    EXPECT_EQ(said, "") << size;
+    RunReader reader(file);
+    for (RunSet set; reader.next(set);) EXPECT_FALSE(set.sensed.sensors.empty());
+    EXPECT_FALSE(reader.is_whole());
+  }
+}
+
+/// Whatever happens to one field, it is noticed: where it is no longer a field, on its line.
+TEST_F(RunFile, DamageToAnyFieldIsNoticed) {
+  const auto lines = lines_of(read(record("cube", 3, {"--initial", write("i.off", kTriangle)})));
+  const auto expect_damaged = [&](std::vector<std::string> fields, std::size_t i, const char* how) {
+    auto damaged = lines;
+    damaged[i] = joined(fields, ' ');
+    damaged[i].pop_back();
+    const std::string said = complaint(write("d.run", joined(damaged, '\n')));
+    EXPECT_NE(said.find("d.run: line "), std::string::npos) << how << ": " << damaged[i];
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto fields = fields_of(lines[i]);
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      auto other = fields;
+      other[k] = "?";
+      expect_damaged(other, i, "no number");
+      other[k] = fields[k].ends_with('1') ? fields[k] + "0" : fields[k] + "1";
+      expect_damaged(other, i, "another number");
+      other[k] = "999999999999999999999";
+      expect_damaged(other, i, "a number out of bounds");
+      other.erase(other.begin() + static_cast<std::ptrdiff_t>(k));
+      if (!other.empty()) expect_damaged(other, i, "a field less");
+    }
+    auto more = fields;
+    more.push_back("0");
+    expect_damaged(more, i, "a field more");
+  }
+}
+
+/// The program says it in one line, for each line: damaged, left out, or there twice.
+TEST_F(RunFile, DamageToAnyLineIsOneLineAndExitCodeTwo) {
+  const auto lines = lines_of(read(record("cube", 2)));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    auto damaged = lines;
+    damaged[i] += "\x01x";
+    const std::string where = "line " + std::to_string(i + 1);
+    expect_refused(replay(write("d.run", joined(damaged, '\n'))), i == 0 ? "line 1" : where);
+    damaged = lines;
+    damaged.erase(damaged.begin() + static_cast<std::ptrdiff_t>(i));
+    if (i + 1 < lines.size()) {
+      EXPECT_NE(complaint(write("d.run", joined(damaged, '\n'))), "") << lines[i];
+    }
+    damaged = lines;
+    damaged.insert(damaged.begin() + static_cast<std::ptrdiff_t>(i), lines[i]);
+    EXPECT_NE(complaint(write("d.run", joined(damaged, '\n'))), "") << lines[i];
+  }
+  EXPECT_FALSE(exists("again.limpet"));
+}
+
+TEST_F(RunFile, WithoutADigestItMayBeWrittenByHand) {
+  auto lines = lines_of(read(record("cube", 5)));
+  lines.back() = "end max-sets 5 -";
+  EXPECT_EQ(replay(write("hand.run", joined(lines, '\n'))).code, 1);
+  expect_same_model();
+  lines.back() = "end max-sets 6 -";
+  EXPECT_NE(complaint(write("hand.run", joined(lines, '\n'))).find("6 sets"), std::string::npos);
+}
+
+TEST_F(RunFile, ReplayTakesNothingThatTheRunSays) {
+  const std::string file = record("cube", 3);
+  expect_refused(run({"follow", "cube", "--replay", file, "-o", path("x.off")}), "SCENE");
+  expect_refused(replay(file, {"--seed", "3"}), "--seed");
+  expect_refused(replay(file, {"--record", path("s.run")}), "--record");
+  expect_refused(replay(path("none.run")), "none.run");
+  expect_refused(replay(path("")), "folder");
+  expect_refused(replay(path("m.limpet")), "no recorded run");
+}
+
+TEST_F(RunFile, IsDrawnAsStages) {
+  const std::string file = record("octahedron", 10'000);
+  const auto svg = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"draw", file, "-q", "-o", path("p.svg")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto result = run(arguments);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return read(path("p.svg"));
+  };
+  const auto sets = nlohmann::json::parse(read(path("m.json")))["sets"].get<int>();
+  const std::string four = svg({});
+  for (int i = 1; i <= 3; ++i)
+    EXPECT_NE(four.find(">" + std::to_string(sets * i / 4) + " sets</text>"), std::string::npos) << i;
+  EXPECT_NE(four.find(">r: complete, " + std::to_string(sets) + " sets</text>"), std::string::npos);
+  EXPECT_NE(four.find("path where it ends"), std::string::npos);
+  const std::string one = svg({"--stages", "1"});
+  EXPECT_EQ(one.find(" sets</text>"), one.rfind(" sets</text>"));
+  EXPECT_EQ(run({"draw", file, "-q", "-o", path("p.png")}).code, 0);
+  EXPECT_EQ(read(path("p.png")).substr(1, 3), "PNG");
+}
+
+TEST_F(RunFile, DrawingADamagedRunIsRefused) {
+  const std::string text = read(record("cube", 3));
+  expect_refused(run({"draw", write("d.run", text.substr(0, 300)), "-o", path("p.png")}), "d.run: line ");
+  const auto result =
+      run({"draw", write("short.run", text.substr(0, text.size() - 20)), "-o", path("p.png")});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.err.find("cut short"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace limpet::app
