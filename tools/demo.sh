@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Models real scans and a simulated one with the built program; leaves models, meshes and pictures in out/demo.
+# Models real scans and a simulated one with the built program, and feels two objects with a simulated robot; leaves
+# models, meshes and pictures in out/demo.
 #   tools/demo.sh path/to/limpet
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -37,6 +38,19 @@ echo "--- step_hole: simulated"
 show step_hole build/demo/step_hole.ply --stages 4
 "$limpet" compare "$out/step_hole.limpet" step_hole
 "$limpet" draw "$out"/step_hole.stage?.limpet -o "$out/step_hole_growth.png"
+
+# feel SHAPE: a simulated robot goes over it until it is modelled; stages of the model with the path, and the end alone.
+feel() {
+  local shape=$1
+  echo "--- $shape: felt by a simulated robot"
+  "$limpet" follow "$shape" -o "$out/felt_$shape.limpet" -o "$out/felt_$shape.off" --record "$out/felt_$shape.run"
+  "$limpet" check "$out/felt_$shape.limpet"
+  "$limpet" draw "$out/felt_$shape.run" -o "$out/felt_$shape.png"
+  "$limpet" draw "$out/felt_$shape.run" --stages 1 -o "$out/felt_${shape}_path.png"
+}
+
+feel cube
+feel L
 
 echo
 echo "pictures, models (.limpet) and meshes (.off, .ply) are in $out:"
