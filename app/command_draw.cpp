@@ -52,8 +52,7 @@ int run(const DrawArguments& args) {
       continue;
     }
     if (is_run(path)) {
-      for (drawing::Figure& figure : run_stages(path, args.stages, args.quiet))
-        figures.push_back(std::move(figure));
+      for (drawing::Figure& figure : run_stages(path, args.stages)) figures.push_back(std::move(figure));
       options.vertices = options.loose_points = false;  // which dots of the path could be taken for
       continue;
     }

@@ -87,6 +87,16 @@ std::string_view RunFields::word() {
   return token;
 }
 
+std::string RunFields::one_of(std::initializer_list<std::string_view> words) {
+  const std::string_view found = word();
+  std::string known;
+  for (const std::string_view one : words) {
+    if (found == one) return std::string(one);
+    known += (known.empty() ? "" : ", ") + std::string(one);
+  }
+  fail(io::in_quotes(found) + " is none of " + known);
+}
+
 double RunFields::any_real() {
   const std::string_view token = word();
   double value = 0;

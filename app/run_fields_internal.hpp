@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <fstream>
+#include <initializer_list>
 #include <limpet/model/digest.hpp>
 #include <string>
 #include <string_view>
@@ -33,6 +34,8 @@ class RunFields {
   /// Takes the next field if it is this word.
   bool optional(std::string_view word);
   std::string_view word();
+  /// One of these words.
+  std::string one_of(std::initializer_list<std::string_view> words);
   /// A finite number.
   double real();
   /// It may be infinite, too.

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 #include <limpet/io/error.hpp>
 #include <utility>
@@ -141,19 +139,6 @@ std::string ids_line(std::string_view word, const std::vector<Id>& ids) {
 }
 
 }  // namespace
-
-model::Model model_before(const RunHead& head) {
-  model::Model model(head.model);
-  model.add_initial(head.initial);
-  return model;
-}
-
-std::string hexadecimal(double x) {
-  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
-  char digits[40];
-  const auto end = std::to_chars(digits, digits + sizeof digits, std::abs(x), std::chars_format::hex).ptr;
-  return (std::signbit(x) ? "-0x" : "0x") + std::string(digits, end);
-}
 
 RunRecord::RunRecord(std::string path, const RunHead& head) : path_(std::move(path)), head_(head) {}
 

@@ -1,11 +1,11 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/app/run_stages.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <limpet/app/run_reader.hpp>
 #include <limpet/io/text.hpp>
+#include <set>
 
 namespace limpet::app {
 namespace {
@@ -15,10 +15,17 @@ drawing::Figure figure_of(const model::Model& model, const std::string& caption,
   return {model.record(), caption, {}, path};
 }
 
+/// After how many sets there is a stage, but for the last one.
+std::set<std::int64_t> stages_of(std::int64_t sets, int count) {
+  std::set<std::int64_t> stops;
+  for (std::int64_t i = 1; i < count; ++i) stops.insert(sets * i / count);
+  return stops;
+}
+
 }  // namespace
 
-std::vector<drawing::Figure> run_stages(const std::string& path, int count, bool quiet) {
-  const std::int64_t all = count_sets(path);
+std::vector<drawing::Figure> run_stages(const std::string& path, int count) {
+  const std::set<std::int64_t> stops = stages_of(count_sets(path), count);
   RunReader reader(path);
   model::Model model = model_before(reader.head());
   std::vector<drawing::Figure> figures;
@@ -28,12 +35,10 @@ std::vector<drawing::Figure> run_stages(const std::string& path, int count, bool
     model.update(set.sensed.points);
     way.push_back(set.control_point);
     ++sets;
-    const auto stage = static_cast<std::int64_t>(figures.size()) + 1;
-    if (stage < count && sets == std::max<std::int64_t>(1, all * stage / count))
-      figures.push_back(figure_of(model, io::grouped(sets) + " sets", way));
+    if (stops.count(sets) > 0) figures.push_back(figure_of(model, io::grouped(sets) + " sets", way));
   }
   model.finish();
-  if (!reader.is_whole() && !quiet)
+  if (!reader.is_whole())
     std::fprintf(stderr, "limpet: warning: %s: the run was cut short: it ends without its end\n",
                  path.c_str());
   const std::string name = std::filesystem::path(path).stem().string();

@@ -40,6 +40,15 @@ class RunFile : public testing::ProgramTest {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
   }
+  /// Starts a run of a second or more, and ends it by a signal once a set is recorded.
+  testing::Result end_by(int signal) const {
+    const pid_t child =
+        start({"follow", "step_hole", "-q", "-o", path("m.limpet"), "--record", path("r.run")});
+    for (int i = 0; i < 10'000 && read(path("r.run")).find("\nset ") == std::string::npos; ++i)
+      ::usleep(1000);
+    ::kill(child, signal);
+    return finish(child);
+  }
   void expect_same_model() const {
     const std::string model = read(path("m.limpet"));
     EXPECT_FALSE(model.empty());
@@ -164,15 +173,24 @@ TEST_F(RunFile, AnInterruptedRunIsReplayedAsFarAsItWent) {
 }
 
 TEST_F(RunFile, AKilledRunLeavesItsSets) {
-  const pid_t child = start({"follow", "step_hole", "-q", "-o", path("m.limpet"), "--record", path("r.run")});
-  while (!exists("r.run") || read(path("r.run")).find("\nset ") == std::string::npos) ::usleep(2000);
-  ::kill(child, SIGKILL);
-  EXPECT_EQ(finish(child).code, -SIGKILL);
+  EXPECT_EQ(end_by(SIGKILL).code, -SIGKILL);
   RunReader reader(path("r.run"));
   int sets = 0;
   for (RunSet set; reader.next(set);) ++sets;
   EXPECT_GE(sets, 1);
   EXPECT_FALSE(reader.is_whole());
+}
+
+TEST_F(RunFile, AStoppedRunIsWhole) {
+  EXPECT_EQ(end_by(SIGINT).code, 1);
+  RunReader reader(path("r.run"));
+  for (RunSet set; reader.next(set);) EXPECT_TRUE(set.mode);
+  EXPECT_TRUE(reader.is_whole());
+  EXPECT_EQ(reader.end().reason, "interrupted");
+  const auto result = replay(path("r.run"));
+  EXPECT_EQ(result.code, 1);
+  EXPECT_EQ(result.err, "");
+  expect_same_model();
 }
 
 TEST_F(RunFile, CutAnywhereItIsDamagedOrShort) {
