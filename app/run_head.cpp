@@ -46,6 +46,7 @@ model::Parameters read_model(RunFields& fields) {
   fields.done();
   fields.line("redundancy");
   p.redundancy_count = fields.real(), p.redundancy_ratio = fields.real();
+  if (p.redundancy_count < 0 || p.redundancy_ratio < 0) fields.fail("ψ and φ must be 0 or more");
   fields.done();
   fields.line("neighbours");
   p.neighbours = fields.one_of({"yes", "no"}) == "yes";

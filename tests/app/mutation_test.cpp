@@ -3,6 +3,7 @@
 // Scans with a few bytes changed, cut or doubled: modelled or refused, never a crash.
 #include <limpet/survey/random.hpp>
 
+#include "../fuzz/tokens.hpp"
 #include "program.hpp"
 
 namespace limpet::app {
@@ -66,6 +67,33 @@ TEST_F(Mutation, TwoHundredScans) {
   }
   std::printf("%d of 200 were modelled\n", modelled);
   EXPECT_GT(modelled, 10);
+}
+
+/// Recorded runs without their digest, so that what still has the form of a run reaches the model.
+TEST_F(Mutation, TwoHundredRuns) {
+  ASSERT_EQ(
+      run({"follow", "cube", "-q", "-o", path("m.limpet"), "--max-sets", "12", "--record", path("r.run")})
+          .code,
+      1);
+  std::string whole = read(path("r.run"));
+  whole = whole.substr(0, whole.rfind(' ')) + " -\n";
+  const std::uint64_t seed = 20261128;
+  survey::Random random(seed);
+  fuzz::TokenMutator by_tokens(seed);
+  int replayed = 0;
+  for (int i = 0; i < 200; ++i) {
+    const std::string mutant = i % 2 == 0 ? by_tokens(whole) : mutate(whole, random);
+    const auto result =
+        run({"follow", "--replay", write("mutant.run", mutant), "-o", path("again.limpet"), "-q"});
+    const bool known = result.code == 1 || result.code == 2;
+    EXPECT_TRUE(known) << "mutant " << i << ": " << result.code << " " << result.err;
+    EXPECT_LE(result.error_lines(), 2) << "mutant " << i << ": " << result.err;
+    EXPECT_EQ(result.err.find("bug"), std::string::npos) << "mutant " << i << ": " << result.err;
+    EXPECT_EQ(result.err.find("broken after"), std::string::npos) << "mutant " << i << ": " << result.err;
+    replayed += result.code == 1;
+  }
+  std::printf("%d of 200 were replayed\n", replayed);
+  EXPECT_GT(replayed, 10);
 }
 
 }  // namespace

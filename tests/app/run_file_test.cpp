@@ -269,6 +269,32 @@ TEST_F(RunFile, WithoutADigestItMayBeWrittenByHand) {
   EXPECT_NE(complaint(write("hand.run", joined(lines, '\n'))).find("6 sets"), std::string::npos);
 }
 
+/// What has the form of a number, and makes no sense.
+TEST_F(RunFile, ParametersThatMakeNoSenseAreRefusedWithTheirLine) {
+  const auto lines = lines_of(read(record("cube", 3)));
+  const auto expect_line = [&](const std::string& word, const std::string& instead) {
+    auto damaged = lines;
+    std::size_t i = 0;
+    while (!damaged[i].starts_with(word + " ")) ++i;
+    damaged[i] = word + " " + instead;
+    const std::string said = complaint(write("d.run", joined(damaged, '\n')));
+    const std::string where = "line " + std::to_string(i + 1) + ":";
+    EXPECT_NE(said.find(where), std::string::npos) << damaged[i] << ": " << said;
+  };
+  expect_line("limpet run", "2");
+  expect_line("redundancy", "-1 0.05");
+  expect_line("rules", "limpet,luck");
+  expect_line("strategy", "luck");
+  expect_line("follow", "0.1 0.17 0.1 0.1 0.2 10 0.2");
+  expect_line("follow", "0.05 0.17 0.1 0.1 0.2 1 0.2");
+  expect_line("ceilings", "0 inf");
+  expect_line("control_point", "9 0 0 0");
+  expect_line("set", "flight 0 0 0 0 0 0 0");
+  expect_line("set", "extend 0 0 0 0 0 0 1 26 0.1");
+  expect_line("set", "extend 0 0 inf 0 0 0 0");
+  expect_line("end", "done 3 -");
+}
+
 TEST_F(RunFile, ReplayTakesNothingThatTheRunSays) {
   const std::string file = record("cube", 3);
   expect_refused(run({"follow", "cube", "--replay", file, "-o", path("x.off")}), "SCENE");
