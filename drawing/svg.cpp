@@ -110,27 +110,22 @@ void append_patch(std::string& text, const Panel& panel, const Patch& patch) {
   }
 }
 
-/// What faces do not hide of a way, as strokes of one colour and width.
+/// What faces do not hide of a way: a path for what follows each other in one colour and width.
 void append_way(std::string& text, const Panel& panel) {
   const Hiding hiding(panel);
   const WayPiece* before = nullptr;
   const auto finish = [&] {
     if (before)
       text += "\" stroke=\"" + hex(before->color) + "\" stroke-width=\"" + number(before->width) + "\"/>\n";
-    before = nullptr;
   };
   for (const WayPiece& piece : panel.way) {
-    if (hiding.hides((piece.from + piece.to) / 2)) {
-      finish();
-      continue;
-    }
-    const bool goes_on =
-        before && before->to == piece.from && before->color == piece.color && before->width == piece.width;
-    if (!goes_on) {
+    if (hiding.hides((piece.from + piece.to) / 2)) continue;
+    const bool same = before && before->color == piece.color && before->width == piece.width;
+    if (!same) {
       finish();
       text += "<path fill=\"none\" d=\"";
-      append_point(text, 'M', piece.from);
     }
+    if (!same || before->to != piece.from) append_point(text, 'M', piece.from);
     append_point(text, 'L', piece.to);
     before = &piece;
   }

@@ -12,8 +12,10 @@ using Eigen::Vector3d;
 constexpr double kLongestPiece = 4;  // pixels: where a face begins to hide a way is drawn to within this
 constexpr double kBefore = 0.5;      // pixels before a place that a face must be to hide it
 
-/// The colour after this part of the way.
+/// The colour after this part of the way: in steps, so that neighbouring pieces are drawn as one stroke.
 io::Color color_at(double part) {
+  constexpr double kSteps = 48;
+  part = std::round(part * kSteps) / kSteps;
   io::Color color;
   for (std::size_t i = 0; i < color.size(); ++i)
     color[i] = static_cast<std::uint8_t>(std::lround((1 - part) * kWayBegins[i] + part * kWayEnds[i]));
@@ -36,16 +38,17 @@ bool covers(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vecto
 
 void add_way(const std::vector<Vector3d>& places, std::size_t whole, Panel& panel) {
   const double last = std::max(1.0, static_cast<double>(std::max(whole, places.size())) - 1);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const io::Color color = color_at(static_cast<double>(i) / last);
-    const bool is_end = i == 0 || i + 1 == places.size();
-    panel.way.push_back({places[i], places[i], (is_end ? 4 : 1.8) * panel.way_width, color});
-    if (i + 1 == places.size()) break;
+  const auto color = [&](std::size_t i) { return color_at(static_cast<double>(i) / last); };
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const Vector3d step = places[i + 1] - places[i];
     const double pieces = std::ceil(std::max(1.0, step.head<2>().norm() / kLongestPiece));
     for (double k = 0; k < pieces; ++k)
       panel.way.push_back(
-          {places[i] + k / pieces * step, places[i] + (k + 1) / pieces * step, panel.way_width, color});
+          {places[i] + k / pieces * step, places[i] + (k + 1) / pieces * step, panel.way_width, color(i)});
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == places.size();
+    panel.way.push_back({places[i], places[i], (is_end ? 4 : 1.8) * panel.way_width, color(i)});
   }
 }
 
