@@ -101,6 +101,12 @@ TEST_F(Follow, RefusesWhatMakesNoSense) {
   EXPECT_FALSE(exists("m.limpet"));
 }
 
+TEST_F(Follow, ARunThatFeelsNothingLeavesTheOldRecord) {
+  const auto old = write("r.run", "old");
+  expect_refused(follow({"cube", "--start", "9,9,9", "--record", old}), "--start");
+  EXPECT_EQ(read(old), "old");
+}
+
 TEST_F(Follow, RefusesLengthsThatDoNotFitEachOther) {
   const auto with = [&](const std::string& parameters) {
     return follow({write("s.toml", "[world]\nshape = \"cube\"\n[parameters]\n" + parameters)});
