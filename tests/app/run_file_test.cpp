@@ -7,6 +7,7 @@
 #include <limpet/app/run_reader.hpp>
 #include <limpet/app/run_record.hpp>
 #include <limpet/io/error.hpp>
+#include <limpet/survey/random.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -96,6 +97,70 @@ TEST(RunNumbers, AreExact) {
     EXPECT_EQ(std::signbit(std::strtod(text.c_str(), nullptr)), std::signbit(x)) << text;
   }
   EXPECT_EQ(hexadecimal(-0.375), "-0x1.8p-2");
+}
+
+/// An arm of two links with bodies, limits and ceilings, that senses with both.
+kinematics::Robot small_arm() {
+  kinematics::Robot robot = kinematics::point_robot({0.3, 0.04, Eigen::Quaterniond(0.5, 0.1, -0.7, 0.2)});
+  robot.name = "a small arm";
+  for (int i = 0; i < 2; ++i) {
+    kinematics::Link link;
+    link.name = i == 0 ? "" : "fore arm";
+    link.parent = robot.links.size() - 1;
+    link.mounting.translate(Eigen::Vector3d(0.1, -0.2, 0.3))
+        .rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitY()));
+    link.joint = {kinematics::Joint::Kind::revolute, Eigen::Vector3d::UnitZ(), -1.5, 2.5};
+    link.body.push_back({Eigen::Vector3d::Zero(), Eigen::Vector3d(0, 0, 0.4), 0.05});
+    robot.links.push_back(link);
+    robot.sensors.push_back(
+        {robot.links.size() - 1, Eigen::Vector3d(0, 0, 0.4), Eigen::Vector3d::UnitX(), 0.25});
+  }
+  robot.control_point = {robot.links.size() - 1, Eigen::Vector3d(0, 0, 0.4)};
+  robot.ceilings.revolute_rad = 0.066;
+  require_sound(robot);
+  return robot;
+}
+
+void write_arm_run(const std::string& path) {
+  RunHead head{"exact", following::Strategy::thesis, ~std::uint64_t{0}, {}, {}, small_arm(), {}};
+  head.model.rules = model::Rules::thesis();
+  head.model.neighbours = false;
+  head.model.noise_per_range2 = 1e-5;
+  head.initial = {
+      {{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}}}}};
+  RunRecord record(path, head);
+  survey::Random random(7);
+  for (int i = 0; i < 5; ++i) {
+    RunSet set;
+    if (i < 4) set.mode = following::Mode::current_edge;
+    set.sensed.measured = kinematics::Configuration::Zero(5);
+    for (double& position : set.sensed.measured) position = random.normal();
+    const kinematics::Posture posture(head.robot, set.sensed.measured);
+    set.control_point = posture.control_point();
+    for (std::size_t sensor = 0; sensor < head.robot.sensors.size(); sensor += 3) {
+      set.sensed.sensors.push_back(sensor);
+      set.sensed.points.push_back(posture.sensor_point(sensor, 0.2 * random.uniform()));
+      if (sensor % 2 == 1) set.sensed.points.back().position.x() += 0.01;
+    }
+    record.add(set);
+  }
+  record.end({"stopped", {{{3}, {9}}, {{12}}, {}}});
+}
+
+/// Any robot, whatever its joints: read, and written again, it is the same file.
+TEST_F(RunFile, ReadAndWrittenAgainItIsTheSame) {
+  write_arm_run(path("arm.run"));
+  RunReader reader(path("arm.run"));
+  RunRecord again(path("again.run"), reader.head());
+  for (RunSet set; reader.next(set);) again.add(set);
+  again.end(reader.end());
+  const std::string text = read(path("arm.run"));
+  EXPECT_EQ(read(path("again.run")), text);
+  EXPECT_NE(text.find("\nlink fore_arm 4 revolute "), std::string::npos) << text;
+  EXPECT_NE(text.find("\nset - "), std::string::npos);
+  EXPECT_EQ(reader.end().marks.unreachable_edges.at(0).value, 12u);
+  EXPECT_EQ(reader.head().robot.links.at(5).joint.high, 2.5);
+  EXPECT_EQ(replay(path("arm.run")).code, 1);
 }
 
 TEST_F(RunFile, ReplayGivesTheSameModel) {
