@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Measures runs: `limpet_following_figures WORLD[,WORLD…]|all STARTS NOISE [FIRST_SEED [MOST_SETS]]`; prints
-// one line for each run and one for each world.
+// Measures runs: `limpet_following_figures frontier|thesis WORLD[,WORLD…]|all STARTS NOISE [FIRST_SEED
+// [MOST_SETS]]`; prints one line for each run and one for each world.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -38,7 +38,9 @@ void print(const char* world, unsigned long long seed, const RunResult& r) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count < 4) return 2;
+  if (count < 5) return 2;
+  const Strategy strategy = std::string(arguments[1]) == "thesis" ? Strategy::thesis : Strategy::frontier;
+  ++arguments, --count;
   std::vector<std::string> worlds;
   std::stringstream list(arguments[1]);
   for (std::string name; std::getline(list, name, ',');) worlds.push_back(name);
@@ -52,6 +54,7 @@ int main(int count, char** arguments) {
     double clearance = 1;
     for (int i = 0; i < starts; ++i) {
       RunOptions options;
+      options.strategy = strategy;
       options.noise = std::atof(arguments[3]);
       options.seed = first + static_cast<unsigned long long>(i);
       if (count > 5) options.most_sets = std::atoi(arguments[5]);
