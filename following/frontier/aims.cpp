@@ -14,9 +14,10 @@ constexpr std::size_t kTargetsAimedAt = 10;
 constexpr std::size_t kCandidates = 48;
 constexpr double kGrazing = 0.34;                            ///< least cosine of incidence: 70°
 constexpr std::array<double, 3> kHeights = {0.8, 1.1, 1.5};  ///< δ over the expected surface
-constexpr double kMargin = 1.2;                              ///< δ − λ
-constexpr double kSamePlace = 0.1;                           ///< λ
-constexpr double kMeets = 0.5;  ///< λ between a reading and a target that it serves
+/// δ − λ to be kept, from suspected places, too; 0: what is clear will do.
+constexpr std::array<double, 3> kMargins = {1.2, 1, 0};
+constexpr double kSamePlace = 0.1;  ///< λ
+constexpr double kMeets = 0.5;      ///< λ between a reading and a target that it serves
 
 }  // namespace
 
@@ -97,9 +98,9 @@ double AimChooser::worth(const Vector3d& place, const std::vector<Target>& targe
 }
 
 bool AimChooser::is_good(const model::View& view, const Clearance& clearance, const Aim& aim,
-                         bool narrow) const {
-  if (narrow ? !clearance.is_clear(view, here_, aim.place)
-             : !clearance.is_safe(view, here_, aim.place, kMargin * clearance.least()))
+                         double margin) const {
+  if (margin > 0 ? !clearance.is_safe(view, here_, aim.place, margin * clearance.least())
+                 : !clearance.is_clear(view, here_, aim.place))
     return false;
   const Vector3d way = aim.target.at - aim.place;
   const auto hit = view.first_hit(aim.place, way, way.norm() - lambda_ / 2);
@@ -117,9 +118,9 @@ std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& 
   }
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Aim& a, const Aim& b) { return a.value > b.value; });
-  for (const bool narrow : {false, true})
+  for (const double margin : kMargins)
     for (const Aim& aim : candidates_)
-      if (is_good(view, clearance, aim, narrow)) return aim;
+      if (is_good(view, clearance, aim, margin)) return aim;
   return std::nullopt;
 }
 

@@ -46,9 +46,9 @@ class AimChooser {
   void add_candidates(const std::vector<Target>&);
   void add_candidates(const Target&);
   double worth(const Eigen::Vector3d& place, const std::vector<Target>&);
-  /// Can the control point go there, and does it see the target from there? `narrow`: it need not keep more
-  /// than the clearance.
-  bool is_good(const model::View&, const Clearance&, const Aim&, bool narrow) const;
+  /// Can the control point go there, keeping `margin` times the clearance, and does it see the target from
+  /// there?
+  bool is_good(const model::View&, const Clearance&, const Aim&, double margin) const;
 
   double lambda_, height_, step_;
   Eigen::Vector3d here_;
