@@ -74,8 +74,7 @@ struct Marks {
 ///  (1) the same observations give the same motions;
 ///  (2) a motion is no longer than σ_max, and no longer than the robot's ceilings let it be;
 ///  (3) along the whole of a motion, the control point comes no nearer than δ − λ to the model, to a reading
-///  of
-///      this set or to one of the recent ones; if it is nearer already, it comes no nearer still;
+///      of this set or to one of the recent ones; if it is nearer already, it comes no nearer still;
 ///  (4) a run ends: each of a finite number of places is given up after a finite number of steps.
 class Follower {
  public:

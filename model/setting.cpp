@@ -26,6 +26,8 @@ Setting::Setting(const Parameters& p) : parameters(p) {
           "what the noise grows by with the range must be 0 or more");
   require(finite(p.tolerance) && p.tolerance >= 0, "the tolerance must be a length of 0 or more");
   require(finite(p.input_quantum) && p.input_quantum >= 0, "the input quantum must be a length of 0 or more");
+  require(p.redundancy_count >= 0 && p.redundancy_ratio >= 0,
+          "the redundancy thresholds ψ and φ must be 0 or more");
   require(p.outlier_patience >= 0, "the patience with outliers must be a number of sensor points, 0 or more");
   require(p.resolution > 1e-150 && p.resolution < 1e150, "the linear resolution is out of range");
   lambda = p.resolution;

@@ -198,6 +198,9 @@ TEST(Model, ParametersOutOfRangeAreRefused) {
   Parameters hasty;
   hasty.outlier_patience = -1;
   EXPECT_THROW(Model{hasty}, std::invalid_argument);
+  Parameters negative;
+  negative.redundancy_ratio = -0.1;
+  EXPECT_THROW(Model{negative}, std::invalid_argument);
   Parameters steep;
   steep.angle_rad = 1.5;
   EXPECT_EQ(Model(steep).parameters().angle_rad, 1.5);
