@@ -16,8 +16,7 @@ constexpr double kGrazing = 0.34;                            ///< least cosine o
 constexpr std::array<double, 3> kHeights = {0.8, 1.1, 1.5};  ///< δ over the expected surface
 /// δ − λ to be kept, from suspected places, too; 0: what is clear will do.
 constexpr std::array<double, 3> kMargins = {1.35, 1, 0};
-constexpr double kSamePlace = 0.1;  ///< λ
-constexpr double kMeets = 0.5;      ///< λ between a reading and a target that it serves
+constexpr double kMeets = 0.5;  ///< λ between a reading and a target that it serves
 
 }  // namespace
 

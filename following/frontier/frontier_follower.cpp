@@ -45,12 +45,10 @@ class FrontierFollower : public Follower {
   void look_at_what_was_read(const Observation&);
   void find_targets(const Observation&);
   void suspect_targets();
-  bool has_arrived(const Vector3d& here) const;
-  void close_aim(const Observation&);
+  void close_aim(const Vector3d& here);
   Motion go_on(const Observation&);
   Motion travel(const Observation&);
   std::vector<Vector3d> way_to_what_is_wanted() const;
-  Motion start(const Observation&);
   Vector3d bent_off(const View&, const Vector3d& here, const Vector3d& motion) const;
   Vector3d kept_off(const Observation&, const Vector3d& motion) const;
   Vector3d way_out(const Observation&) const;
@@ -73,7 +71,7 @@ class FrontierFollower : public Follower {
   Vector3d before_ = Vector3d::Zero();
   long sets_ = 0, asked_ = -1;  ///< sets so far, and when it was last asked what would close
   int stuck_ = 0;               ///< how often travels have been stopped since the last one that arrived
-  bool began_ = false, travels_ = false, has_not_moved_ = false;
+  bool travels_ = false, has_not_moved_ = false;
 };
 
 /// The distance up to which the ray of a sensor is known to be free.
@@ -127,22 +125,17 @@ void FrontierFollower::suspect_targets() {
   clearance().suspect(std::move(places));
 }
 
-bool FrontierFollower::has_arrived(const Vector3d& here) const {
-  return aim_ && (here - aim_->place).norm() < 0.05 * lambda();
-}
-
 /// Drops an aim that has been reached, or that cannot be.
-void FrontierFollower::close_aim(const Observation& seen) {
+void FrontierFollower::close_aim(const Vector3d& here) {
   if (!aim_) return;
-  const Vector3d here = seen.posture.control_point();
   const Target aimed = aim_->target;
-  const bool stuck = (here - before_).norm() < 1e-3 * lambda();
+  const bool has_arrived = (here - aim_->place).norm() < 0.05 * lambda();
   const bool still = std::any_of(targets_.begin(), targets_.end(), [&](const Target& t) {
     return (t.at - aimed.at).norm() < 0.3 * lambda() && t.normal.dot(aimed.normal) > 0.9;
   });
-  if (still && has_arrived(here))
+  if (still && has_arrived)
     memory_.note_failed(aimed.at, aimed.normal);
-  else if (still && stuck)
+  else if (still && has_not_moved_)
     memory_.note_blocked(aimed.at, aimed.normal);
   aim_.reset();
 }
@@ -243,30 +236,22 @@ Motion FrontierFollower::travel(const Observation& seen) {
   return {kept_off(seen, motion.normalized() * std::min(motion.norm(), step(seen))), Mode::travel};
 }
 
-/// Before anything is known: towards the nearest reading, or none.
-Motion FrontierFollower::start(const Observation& seen) {
-  if (seen.readings.empty() && !began_) return {Vector3d::Zero(), Mode::none, End::no_surface};
-  open_.read(seen.model.view());
-  began_ = true;
-  return {};
-}
-
 Motion FrontierFollower::choose(const Observation& seen) {
   const View view = seen.model.view();
   const Vector3d here = seen.posture.control_point();
-  if (!began_) {
-    if (const Motion motion = start(seen); motion.end != End::none) return motion;
-  } else {
+  if (sets_ == 0 && seen.readings.empty()) return {Vector3d::Zero(), Mode::none, End::no_surface};
+  if (sets_ == 0)
+    open_.read(view);
+  else
     open_.apply(seen.changes, view);
-  }
   if (++sets_ % kOutcomePeriod == 0) leave_what_would_close(seen);
   visited_.arrive(view, clearance(), here);
   look_at_what_was_read(seen);
   find_targets(seen);
   suspect_targets();
-  close_aim(seen);
   has_not_moved_ = (here - before_).norm() < 1e-3 * lambda();
   before_ = here;
+  close_aim(here);
   Motion motion;
   if (!targets_.empty()) {
     motion = go_on(seen);
