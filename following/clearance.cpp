@@ -1,5 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/following/clearance.hpp>
+#include <limpet/following/nearest_on_internal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 double squared_distance_to_way(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-  const Vector3d along = b - a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return (a + t * along - p).squaredNorm();
+  return (internal::nearest_on(a, b, p) - p).squaredNorm();
 }
 
 }  // namespace

@@ -17,13 +17,6 @@ double attraction(double distance, const Parameters& p) {
 
 }  // namespace
 
-Vector3d nearest_on(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
-  const Vector3d along = b - a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return a + t * along;
-}
-
 std::size_t nearest_edge(const std::vector<model::View::Edge>& edges, const Vector3d& p) {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();

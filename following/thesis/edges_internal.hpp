@@ -6,13 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include <limpet/following/nearest_on_internal.hpp>
 #include <limpet/following/parameters.hpp>
 #include <limpet/model/view.hpp>
 
 namespace limpet::following::internal {
-
-/// The point of the line segment from a to b that is nearest to p.
-Eigen::Vector3d nearest_on(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& p);
 
 inline Eigen::Vector3d nearest_on(const model::View::Edge& e, const Eigen::Vector3d& p) {
   return nearest_on(e.from, e.to, p);

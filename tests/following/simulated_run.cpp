@@ -185,4 +185,15 @@ RunResult run_following(const Mesh& mesh, const RunOptions& options,
   return result;
 }
 
+Motion motion_at_rest(Strategy strategy, const std::vector<model::SensorPoint>& readings, int sets,
+                      model::Model& model) {
+  const auto robot = kinematics::point_robot({});
+  const kinematics::Posture posture(robot, Vector3d(0, 0, 0.1));
+  const auto follower = make_follower(strategy, usual_parameters(0.05));
+  Motion motion;
+  for (int i = 0; i < sets && motion.end == End::none; ++i)
+    motion = follower->next({model, model.update(readings), posture, readings});
+  return motion;
+}
+
 }  // namespace limpet::following

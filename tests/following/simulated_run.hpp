@@ -49,4 +49,8 @@ const std::vector<std::string>& world_names();
 RunResult run_following(const simulation::Mesh&, const RunOptions&,
                         const std::function<void(const Observation&, const Motion&)>& watch = {});
 
+/// The last motion of a follower that is told the same readings at the same place, (0, 0, 0.1), for up to
+/// `sets` sets.
+Motion motion_at_rest(Strategy, const std::vector<model::SensorPoint>& readings, int sets, model::Model&);
+
 }  // namespace limpet::following

@@ -39,42 +39,9 @@ INSTANTIATE_TEST_SUITE_P(Worlds, ThesisRun,
                          testing::Values(Case{"cube", 0, 6}, Case{"cube", 0.002, 6}, Case{"L", 0.002, 8},
                                          Case{"thin_plate:0.25", 0.002, 6}));
 
-TEST(ThesisFollower, TheSameSeedGivesTheSameMotions) {
-  RunOptions options;
-  options.noise = 0.002;
-  options.most_sets = 400;
-  const auto mesh = make_world_mesh("cube");
-  const RunResult a = run_following(mesh, options), b = run_following(mesh, options);
-  EXPECT_EQ(a.places, b.places);
-}
-
-TEST(ThesisFollower, MotionsAreNoLongerThanTheStepAndTheCeiling) {
-  RunOptions options;
-  options.most_sets = 300;
-  run_following(make_world_mesh("cube"), options, [&](const Observation&, const Motion& motion) {
-    EXPECT_LE(motion.displacement.norm(), options.resolution + 1e-12);  // the robot's ceiling γ
-  });
-}
-
-/// What the follower does over some sets of the same readings, at one place.
-Motion last_motion(const std::vector<model::SensorPoint>& readings, int sets, model::Model& model) {
-  const auto robot = kinematics::point_robot({});
-  const kinematics::Posture posture(robot, Vector3d(0, 0, 0.1));
-  const auto follower = make_thesis_follower(usual_parameters(0.05));
-  Motion motion;
-  for (int i = 0; i < sets && motion.end == End::none; ++i)
-    motion = follower->next({model, model.update(readings), posture, readings});
-  return motion;
-}
-
-TEST(ThesisFollower, EndsWhereThereIsNothing) {
-  model::Model model(model::Parameters{});
-  EXPECT_EQ(last_motion({}, 1, model).end, End::no_surface);
-}
-
 TEST(ThesisFollower, ARobotThatDoesNotMoveEndsTheRun) {
   auto model = initial_model({{rectangle(-1, -1, 1, 1)}});
-  EXPECT_EQ(last_motion({}, 500, model).end, End::stopped);
+  EXPECT_EQ(motion_at_rest(Strategy::thesis, {}, 500, model).end, End::stopped);
 }
 
 TEST(ThesisFollower, GivesUpALonePointSegment) {
@@ -105,12 +72,6 @@ TEST(ThesisFollower, KnownFacesThatAreClosedAreComplete) {
   const auto robot = kinematics::point_robot({});
   const kinematics::Posture posture(robot, Vector3d(0.5, 0.5, 1.1));
   EXPECT_EQ(make_thesis_follower(usual_parameters(0.05))->next({model, {}, posture, {}}).end, End::complete);
-}
-
-TEST(ThesisFollower, RefusesUnsoundParameters) {
-  Parameters parameters = usual_parameters(0.05);
-  parameters.follow_distance = 0.04;
-  EXPECT_THROW(make_thesis_follower(parameters), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// What every strategy keeps to.
+#include <gtest/gtest.h>
+
+#include <limpet/following/follower.hpp>
+
+#include "simulated_run.hpp"
+
+namespace limpet::following {
+namespace {
+
+class AnyFollower : public testing::TestWithParam<Strategy> {};
+
+TEST_P(AnyFollower, TheSameSeedGivesTheSameMotions) {
+  RunOptions options;
+  options.noise = 0.002;
+  options.most_sets = 400;
+  options.strategy = GetParam();
+  const auto mesh = make_world_mesh("cube");
+  EXPECT_EQ(run_following(mesh, options).places, run_following(mesh, options).places);
+}
+
+TEST_P(AnyFollower, MotionsAreNoLongerThanTheStepAndTheCeiling) {
+  RunOptions options;
+  options.most_sets = 300;
+  options.strategy = GetParam();
+  run_following(make_world_mesh("cube"), options, [&](const Observation&, const Motion& motion) {
+    EXPECT_LE(motion.displacement.norm(), options.resolution + 1e-12);  // the robot's ceiling γ
+  });
+}
+
+TEST_P(AnyFollower, EndsWhereThereIsNothing) {
+  model::Model model(model::Parameters{});
+  EXPECT_EQ(motion_at_rest(GetParam(), {}, 1, model).end, End::no_surface);
+}
+
+TEST_P(AnyFollower, RefusesUnsoundParameters) {
+  Parameters parameters = usual_parameters(0.05);
+  parameters.follow_distance = 0.04;
+  EXPECT_THROW(make_follower(GetParam(), parameters), std::invalid_argument);
+}
+
+INSTANTIATE_TEST_SUITE_P(Strategies, AnyFollower, testing::Values(Strategy::frontier, Strategy::thesis));
+
+}  // namespace
+}  // namespace limpet::following
