@@ -2,21 +2,33 @@
 #include "aims_internal.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <span>
 
 namespace limpet::following::internal {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kTargetsAimedAt = 10;
-constexpr std::size_t kCandidates = 48;
-constexpr double kGrazing = 0.34;                            ///< least cosine of incidence: 70°
-constexpr std::array<double, 3> kHeights = {0.8, 1.1, 1.5};  ///< δ over the expected surface
-/// δ − λ to be kept, from suspected places, too; 0: what is clear will do.
-constexpr std::array<double, 3> kMargins = {1.35, 1, 0};
-constexpr double kMeets = 0.5;  ///< λ between a reading and a target that it serves
+constexpr double kGrazing = 0.34;  ///< least cosine of incidence: 70°
+constexpr double kMeets = 0.5;     ///< λ between a reading and a target that it serves
+
+
+}  // namespace
+
+/// Where to look for places.
+struct AimChooser::Search {
+  std::size_t targets, candidates;  ///< the nearest so many
+  double grazing;                   ///< least cosine of incidence
+  std::span<const double> heights;  ///< δ over the expected surface
+  std::span<const double> margins;  ///< δ − λ to be kept, from suspected places, too; 0: what is clear will do
+};
+
+namespace {
+
+constexpr double kFree[] = {0.8, 1.1, 1.5}, kFreeMargins[] = {1.35, 1};
+/// Between walls that are less than 2 δ apart, places are low over one and look along it.
+constexpr double kNarrow[] = {0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[] = {1, 0};
 
 }  // namespace
 
@@ -46,11 +58,11 @@ void AimChooser::sort_into_planes(const std::vector<Target>& targets) {
   }
 }
 
-void AimChooser::add_candidates(const Target& target) {
+void AimChooser::add_candidates(const Target& target, const Search& search) {
   for (const Axis& axis : axes_) {
     const double cosine = -axis.axis.dot(target.normal);
-    if (cosine < kGrazing) continue;
-    for (const double height : kHeights) {
+    if (cosine < search.grazing) continue;
+    for (const double height : search.heights) {
       const double range = height * height_ / cosine;
       if (range <= axis.range)
         candidates_.push_back({target.at - range * axis.axis - axis.offset, target, 0});
@@ -58,29 +70,29 @@ void AimChooser::add_candidates(const Target& target) {
   }
 }
 
-void AimChooser::add_candidates(const std::vector<Target>& targets) {
+void AimChooser::add_candidates(const std::vector<Target>& targets, const Search& search) {
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < targets.size(); ++i)
     order.emplace_back((targets[i].at - here_).norm() / targets[i].weight, i);
   std::sort(order.begin(), order.end());
   candidates_.clear();
-  for (std::size_t i = 0; i < std::min(order.size(), kTargetsAimedAt); ++i)
-    add_candidates(targets[order[i].second]);
+  for (std::size_t i = 0; i < std::min(order.size(), search.targets); ++i)
+    add_candidates(targets[order[i].second], search);
   const auto nearer = [&](const Aim& a, const Aim& b) {
     return (a.place - here_).squaredNorm() < (b.place - here_).squaredNorm();
   };
   std::stable_sort(candidates_.begin(), candidates_.end(), nearer);
-  if (candidates_.size() > kCandidates) candidates_.resize(kCandidates);
+  if (candidates_.size() > search.candidates) candidates_.resize(search.candidates);
 }
 
 /// The weights of the targets met from a place, less where an axis passes beside them.
-double AimChooser::worth(const Vector3d& place, const std::vector<Target>& targets) {
+double AimChooser::worth(const Vector3d& place, const std::vector<Target>& targets, double grazing) {
   ++place_number_;
   double sum = 0;
   for (const Axis& axis : axes_)
     for (const Plane& plane : planes_) {
       const double fall = -axis.axis.dot(plane.normal);
-      if (fall < kGrazing) continue;
+      if (fall < grazing) continue;
       const double range = (plane.normal.dot(place + axis.offset) - plane.height) / fall;
       if (range < 0 || range > axis.range) continue;
       const Vector3d meets = place + axis.offset + range * axis.axis;
@@ -109,15 +121,22 @@ bool AimChooser::is_good(const model::View& view, const Clearance& clearance, co
 std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& clearance,
                                       const std::vector<Target>& targets) {
   sort_into_planes(targets);
-  add_candidates(targets);
   met_.assign(targets.size(), 0);
+  place_number_ = 0;
+  const auto found = choose(view, clearance, targets, {10, 48, kGrazing, kFree, kFreeMargins});
+  return found ? found : choose(view, clearance, targets, {24, 240, kGrazing / 2, kNarrow, kNarrowMargins});
+}
+
+std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& clearance,
+                                      const std::vector<Target>& targets, const Search& search) {
+  add_candidates(targets, search);
   for (Aim& aim : candidates_) {
     const double steps = std::max(1.0, std::ceil((aim.place - here_).norm() / step_ - 0.05));
-    aim.value = worth(aim.place, targets) / std::sqrt(steps);
+    aim.value = worth(aim.place, targets, search.grazing) / std::sqrt(steps);
   }
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Aim& a, const Aim& b) { return a.value > b.value; });
-  for (const double margin : kMargins)
+  for (const double margin : search.margins)
     for (const Aim& aim : candidates_)
       if (is_good(view, clearance, aim, margin)) return aim;
   return std::nullopt;

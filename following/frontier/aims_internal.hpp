@@ -43,9 +43,12 @@ class AimChooser {
   };
 
   void sort_into_planes(const std::vector<Target>&);
-  void add_candidates(const std::vector<Target>&);
-  void add_candidates(const Target&);
-  double worth(const Eigen::Vector3d& place, const std::vector<Target>&);
+  struct Search;
+
+  std::optional<Aim> choose(const model::View&, const Clearance&, const std::vector<Target>&, const Search&);
+  void add_candidates(const std::vector<Target>&, const Search&);
+  void add_candidates(const Target&, const Search&);
+  double worth(const Eigen::Vector3d& place, const std::vector<Target>&, double grazing);
   /// Can the control point go there, keeping `margin` times the clearance, and does it see the target from
   /// there?
   bool is_good(const model::View&, const Clearance&, const Aim&, double margin) const;

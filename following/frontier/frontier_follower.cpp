@@ -48,6 +48,8 @@ class FrontierFollower : public Follower {
   void close_aim(const Vector3d& here);
   Motion go_on(const Observation&);
   Motion travel(const Observation&);
+  void set_leg(const Vector3d& to, double distance);
+  bool is_held_up(const Vector3d& here);
   std::vector<Vector3d> way_to_what_is_wanted() const;
   Vector3d bent_off(const View&, const Vector3d& here, const Vector3d& motion) const;
   Vector3d kept_off(const Observation&, const Vector3d& motion) const;
@@ -71,6 +73,9 @@ class FrontierFollower : public Follower {
   Vector3d before_ = Vector3d::Zero();
   long sets_ = 0, asked_ = -1;  ///< sets so far, and when it was last asked what would close
   int stuck_ = 0;               ///< how often travels have been stopped since the last one that arrived
+  Vector3d leg_to_ = Vector3d::Zero();  ///< the next place of a travel
+  double leg_distance_ = 0;             ///< the nearest that it has come to it
+  int leg_idle_ = 0;                    ///< steps since then
   bool travels_ = false, has_not_moved_ = false;
 };
 
@@ -146,6 +151,7 @@ Motion FrontierFollower::go_on(const Observation& seen) {
   internal::AimChooser chooser(parameters(), seen.posture, step(seen));
   aim_ = chooser.choose(seen.model.view(), clearance(), targets_);
   if (!aim_) return {};
+  memory_.note_aimed(aim_->target.at, aim_->target.normal);
   return {aim_->place - here, Mode::extend};
 }
 
@@ -204,9 +210,26 @@ std::vector<Vector3d> FrontierFollower::way_to_what_is_wanted() const {
       [&](const Vector3d& place) { return open_.any_wanted(place, kWithinReach * lambda()); });
 }
 
+/// Notes where a travel goes next, and how near to it the control point is.
+void FrontierFollower::set_leg(const Vector3d& to, double distance) {
+  if (leg_to_ != to) leg_to_ = to, leg_distance_ = distance, leg_idle_ = 0;
+}
+
+/// Does the control point come no nearer to the next place of a travel? What bends a motion off the surface
+/// can lead it back and forth.
+bool FrontierFollower::is_held_up(const Vector3d& here) {
+  constexpr int kPatience = 4;  // steps
+  const double distance = (way_.back() - here).norm();
+  if (leg_to_ == way_.back() && distance > leg_distance_ - 0.1 * lambda())
+    ++leg_idle_;
+  else
+    leg_distance_ = distance, leg_idle_ = 0;
+  return has_not_moved_ || leg_idle_ >= kPatience;
+}
+
 Motion FrontierFollower::travel(const Observation& seen) {
   const Vector3d here = seen.posture.control_point();
-  if (!way_.empty() && travels_ && has_not_moved_) {
+  if (!way_.empty() && travels_ && is_held_up(here)) {
     visited_.block(way_.back());
     if (++stuck_ >= kStuck) {
       open_.give_up(way_.front(), kWithinReach * lambda());
@@ -232,6 +255,7 @@ Motion FrontierFollower::travel(const Observation& seen) {
     way_.pop_back();
   }
   const Vector3d motion = way_.back() - here;
+  set_leg(way_.back(), motion.norm());
   if (motion.norm() < step(seen) + 1e-6 * lambda()) way_.pop_back();
   return {kept_off(seen, motion.normalized() * std::min(motion.norm(), step(seen))), Mode::travel};
 }

@@ -18,18 +18,20 @@ class PlaceMemory {
     int empty = 0;    ///< steps at which a ray went through it and met nothing there
     int failed = 0;   ///< rays aimed at it that neither met it nor went through it
     int blocked = 0;  ///< no position to aim from could be reached
+    int aimed = 0;    ///< steps towards positions to aim from, after which it still was to be felt
 
     bool is_empty() const { return empty >= kEmpty; }
-    bool is_blocked() const { return blocked >= kBlocked; }
+    bool is_blocked() const { return blocked >= kBlocked || aimed >= kAimed; }
     bool is_given_up() const { return failed >= kFailed || is_blocked(); }
   };
-  static constexpr int kEmpty = 2, kFailed = 3, kBlocked = 4;
+  static constexpr int kEmpty = 2, kFailed = 3, kBlocked = 4, kAimed = 24;
 
   /// The tries at the place nearest to `at` that faces about the same way; all zero when there is none near.
   Tries at(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) const;
   void note_empty(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) { ++tries(at, normal).empty; }
   void note_failed(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) { ++tries(at, normal).failed; }
   void note_blocked(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) { ++tries(at, normal).blocked; }
+  void note_aimed(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) { ++tries(at, normal).aimed; }
 
  private:
   struct Place {
