@@ -8,7 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "targets_internal.hpp"
+#include "new_ground_internal.hpp"
+#include "outlook_internal.hpp"
 
 namespace limpet::following::internal {
 
@@ -20,7 +21,7 @@ struct Aim {
 };
 
 /// Chooses the place to take the next readings from: places that put a sensing axis exactly through a target
-/// near by are compared by the targets that all axes meet there.
+/// near by are compared by the targets and the new ground that all axes meet there.
 class AimChooser {
  public:
   /// `step`: how far the control point moves in one step.
@@ -28,27 +29,32 @@ class AimChooser {
 
   /// The best aim that the control point can go to in a straight line, with some room to spare if there is
   /// such an aim, else keeping clear; none if there is none.
-  std::optional<Aim> choose(const model::View&, const Clearance&, const std::vector<Target>&);
+  std::optional<Aim> choose(const model::View&, const Clearance&, const Outlook&);
+  /// Where an axis, from the present place, meets new ground within this range.
+  std::vector<Eigen::Vector3d> expected_along(std::size_t axis, const Outlook&, double range);
 
  private:
   struct Axis {
     Eigen::Vector3d offset, axis;  ///< from the control point; unit vector
     double range;
   };
-  /// The targets that lie in one plane.
+  /// What is expected in one plane.
   struct Plane {
     Eigen::Vector3d normal;
     double height;
     std::vector<std::size_t> targets;
+    NewGround ground;
   };
 
-  void sort_into_planes(const std::vector<Target>&);
+  void sort_into_planes(const Outlook&);
+  Plane& plane_at(const Eigen::Vector3d& place, const Eigen::Vector3d& normal);
   struct Search;
 
-  std::optional<Aim> choose(const model::View&, const Clearance&, const std::vector<Target>&, const Search&);
+  std::optional<Aim> choose(const model::View&, const Clearance&, const Outlook&, const Search&);
   void add_candidates(const std::vector<Target>&, const Search&);
   void add_candidates(const Target&, const Search&);
-  double worth(const Eigen::Vector3d& place, const std::vector<Target>&, double grazing);
+  double worth(const Eigen::Vector3d& place, const Outlook&, double grazing);
+  double worth(const Plane&, const Eigen::Vector3d& meets, const Outlook&);
   /// Can the control point go there, keeping `margin` times the clearance, and does it see the target from
   /// there?
   bool is_good(const model::View&, const Clearance&, const Aim&, double margin) const;

@@ -8,6 +8,7 @@
 #include "aims_internal.hpp"
 #include "open_edge_map_internal.hpp"
 #include "place_memory_internal.hpp"
+#include "space_hash_internal.hpp"
 #include "targets_internal.hpp"
 #include "visited_internal.hpp"
 
@@ -17,10 +18,12 @@ namespace {
 using Eigen::Vector3d;
 using internal::Aim;
 using internal::OpenPart;
+using internal::PartState;
 using internal::Target;
 using model::View;
 
 constexpr double kWithinReach = 3.5;   ///< λ: open edges this near can be aimed at
+constexpr double kOutlook = 5;         ///< λ: what is this near is looked at
 constexpr double kTravelMargin = 1.2;  ///< δ − λ
 constexpr int kStuck = 12;
 constexpr long kOutcomePeriod = 20;  ///< sets
@@ -44,6 +47,7 @@ class FrontierFollower : public Follower {
  private:
   void look_at_what_was_read(const Observation&);
   void find_targets(const Observation&);
+  void note_empty_ground(const Observation&);
   void suspect_targets();
   void close_aim(const Vector3d& here);
   Motion go_on(const Observation&);
@@ -67,7 +71,9 @@ class FrontierFollower : public Follower {
   internal::TargetFinder finder_;
   internal::Visited visited_;
   std::vector<OpenPart> parts_;
-  std::vector<Target> targets_;
+  internal::Outlook outlook_;
+  internal::SpaceHash<bool> empty_{parameters().resolution};  ///< where ground was expected in vain
+  std::vector<View::Nearest> points_;
   std::optional<Aim> aim_;
   std::vector<Vector3d> way_;  ///< of a travel, the next place last
   Vector3d before_ = Vector3d::Zero();
@@ -93,12 +99,12 @@ double free_range(const kinematics::Posture::Sensor& sensor, std::span<const mod
 /// Remembers the targets that rays have gone through without meeting anything.
 void FrontierFollower::look_at_what_was_read(const Observation& seen) {
   constexpr double kNear = 0.4, kBeyond = 0.6, kGrazing = 0.25;
-  std::vector<bool> empty(targets_.size());
+  std::vector<bool> empty(outlook_.targets.size());
   for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i) {
     const auto sensor = seen.posture.sensor(i);
     const double free = free_range(sensor, seen.readings);
-    for (std::size_t k = 0; k < targets_.size(); ++k) {
-      const Target& target = targets_[k];
+    for (std::size_t k = 0; k < outlook_.targets.size(); ++k) {
+      const Target& target = outlook_.targets[k];
       const double fall = -sensor.axis.dot(target.normal);
       if (empty[k] || fall < kGrazing) continue;
       const double crosses = (sensor.position - target.at).dot(target.normal) / fall;
@@ -107,25 +113,43 @@ void FrontierFollower::look_at_what_was_read(const Observation& seen) {
       if (off.squaredNorm() < kNear * kNear * lambda() * lambda()) empty[k] = true;
     }
   }
-  for (std::size_t k = 0; k < targets_.size(); ++k)
-    if (empty[k]) memory_.note_empty(targets_[k].at, targets_[k].normal);
+  for (std::size_t k = 0; k < outlook_.targets.size(); ++k)
+    if (empty[k]) memory_.note_empty(outlook_.targets[k].at, outlook_.targets[k].normal);
+}
+
+/// Remembers where rays met nothing on ground that was expected.
+void FrontierFollower::note_empty_ground(const Observation& seen) {
+  if (outlook_.borders.empty()) return;
+  internal::AimChooser chooser(parameters(), seen.posture, step(seen));
+  for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i) {
+    const auto sensor = seen.posture.sensor(i);
+    const double free = free_range(sensor, seen.readings);
+    for (const Vector3d& place : chooser.expected_along(i, outlook_, free - 0.6 * lambda()))
+      if (!empty_.any_within(place, 0.4 * lambda(), [](const Vector3d&, bool) { return true; }))
+        empty_.put(place, true);
+  }
 }
 
 void FrontierFollower::find_targets(const Observation& seen) {
   const View view = seen.model.view();
   const Vector3d here = seen.posture.control_point();
-  targets_.clear();
-  open_.near(here, 5 * lambda(), view, parts_);
-  for (const OpenPart& part : parts_) open_.set(part, finder_.add(view, part, targets_));
-  if (!targets_.empty()) return;
+  outlook_.clear();
+  open_.near(here, kOutlook * lambda(), view, parts_);
+  for (const OpenPart& part : parts_)
+    if (const PartState state = finder_.add(view, part, outlook_); !part.closes) open_.set(part, state);
+  view.nearest(here, kOutlook * lambda(), points_, {.polygons = false, .initial = false});
+  for (const View::Nearest& point : points_) outlook_.points.push_back(point.at);
+  empty_.for_each_within(here, kOutlook * lambda(),
+                         [&](const Vector3d& place, bool) { outlook_.empty.push_back(place); });
+  if (!outlook_.targets.empty()) return;
   const auto point = view.nearest(here, parameters().sensing_range, {.polygons = false, .initial = false});
-  if (point) finder_.add_around_point(view, point->at, here, targets_);
+  if (point) finder_.add_around_point(view, point->at, here, outlook_.targets);
 }
 
 /// The model stops short of edges that are not felt yet, and targets are where the surface may go on.
 void FrontierFollower::suspect_targets() {
   std::vector<Vector3d> places;
-  for (const Target& target : targets_)
+  for (const Target& target : outlook_.targets)
     if (target.weight == 1) places.push_back(target.at);
   clearance().suspect(std::move(places));
 }
@@ -135,7 +159,7 @@ void FrontierFollower::close_aim(const Vector3d& here) {
   if (!aim_) return;
   const Target aimed = aim_->target;
   const bool has_arrived = (here - aim_->place).norm() < 0.05 * lambda();
-  const bool still = std::any_of(targets_.begin(), targets_.end(), [&](const Target& t) {
+  const bool still = std::any_of(outlook_.targets.begin(), outlook_.targets.end(), [&](const Target& t) {
     return (t.at - aimed.at).norm() < 0.3 * lambda() && t.normal.dot(aimed.normal) > 0.9;
   });
   if (still && has_arrived)
@@ -149,7 +173,7 @@ void FrontierFollower::close_aim(const Vector3d& here) {
 Motion FrontierFollower::go_on(const Observation& seen) {
   const Vector3d here = seen.posture.control_point();
   internal::AimChooser chooser(parameters(), seen.posture, step(seen));
-  aim_ = chooser.choose(seen.model.view(), clearance(), targets_);
+  aim_ = chooser.choose(seen.model.view(), clearance(), outlook_);
   if (!aim_) return {};
   memory_.note_aimed(aim_->target.at, aim_->target.normal);
   return {aim_->place - here, Mode::extend};
@@ -157,7 +181,7 @@ Motion FrontierFollower::go_on(const Observation& seen) {
 
 /// From here nothing can be aimed at: all targets near are blocked, for now.
 void FrontierFollower::give_up_what_is_near() {
-  for (const Target& target : targets_) memory_.note_blocked(target.at, target.normal);
+  for (const Target& target : outlook_.targets) memory_.note_blocked(target.at, target.normal);
 }
 
 void FrontierFollower::leave_what_would_close(const Observation& seen) {
@@ -271,13 +295,14 @@ Motion FrontierFollower::choose(const Observation& seen) {
   if (++sets_ % kOutcomePeriod == 0) leave_what_would_close(seen);
   visited_.arrive(view, clearance(), here);
   look_at_what_was_read(seen);
+  note_empty_ground(seen);
   find_targets(seen);
   suspect_targets();
   has_not_moved_ = (here - before_).norm() < 1e-3 * lambda();
   before_ = here;
   close_aim(here);
   Motion motion;
-  if (!targets_.empty()) {
+  if (!outlook_.targets.empty()) {
     motion = go_on(seen);
     if (motion.mode == Mode::none && way_.empty()) give_up_what_is_near();
   }

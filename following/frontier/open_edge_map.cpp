@@ -79,11 +79,11 @@ void OpenEdgeMap::near(const Vector3d& p, double reach, const View& view, std::v
       continue;
     }
     const Entry& entry = edges_.at(place.edge);
-    if (entry.closes) continue;
     OpenPart part = entry.part(place.part);
     part.edge = id;
     part.segment = edge->segment;
     part.insist = entry.insist;
+    part.closes = entry.closes;
     result.push_back(part);
   }
 }

@@ -20,6 +20,7 @@ struct OpenPart {
   model::SegmentId segment;
   Eigen::Vector3d from, to;
   bool insist = false;  ///< to be looked at, although what is there seemed to be known
+  bool closes = false;  ///< finishing would close the edge
   Eigen::Vector3d middle() const { return (from + to) / 2; }
 };
 
@@ -40,8 +41,8 @@ class OpenEdgeMap {
   /// Forgets all, and takes the open edges of the model.
   void read(const model::View&);
 
-  /// The parts with their middle within `reach` of p, as they are now, by edge and part, but for edges that
-  /// would close. Edges that are gone are forgotten.
+  /// The parts with their middle within `reach` of p, as they are now, by edge and part. Edges that are gone
+  /// are forgotten.
   void near(const Eigen::Vector3d& p, double reach, const model::View&, std::vector<OpenPart>&);
 
   /// A part of an edge that is new, or has moved, is wanted.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace limpet::following::internal {
 namespace {
@@ -48,31 +49,40 @@ bool TargetFinder::is_cut_off(const View& view, const OpenPart& part, const Vect
   return false;
 }
 
-PartState TargetFinder::add_folded(const View& view, const OpenPart& part, const Vector3d& normal,
-                                   const Vector3d& outward, std::vector<Target>& targets) const {
+PartState TargetFinder::add_folded(const View& view, const OpenPart& part, const Border& border,
+                                   Outlook& outlook) const {
   PartState state = PartState::unclosable;
   for (const Fold& fold : kFolds) {
-    const Vector3d way = fold.cosine * outward - fold.sine * normal;
+    const Vector3d way = fold.cosine * border.outward - fold.sine * border.normal;
     const Vector3d at = part.middle() + kFirst * lambda_ * way;
-    const Vector3d facing = fold.cosine * normal + fold.sine * outward;
+    const Vector3d facing = fold.cosine * border.normal + fold.sine * border.outward;
     if (view.nearest(at, 0.5 * lambda_, {.but = part.segment, .points = false})) return PartState::done;
     const auto tries = memory_.at(at, facing);
     if (tries.is_blocked()) state = PartState::unreachable;
     if (tries.is_empty() || tries.is_given_up()) continue;
-    targets.push_back({at, facing, 1});
+    outlook.targets.push_back({at, facing, 1});
     return PartState::wanted;
   }
   return state;
 }
 
-PartState TargetFinder::add(const View& view, const OpenPart& part, std::vector<Target>& targets) {
+PartState TargetFinder::add(const View& view, const OpenPart& part, Outlook& outlook) {
   const auto segment = view.segment(part.segment);
   if (!segment) return PartState::done;
   const Vector3d normal = segment->plane.normal;
   const Vector3d outward = (part.to - part.from).cross(normal).normalized();
   if (!outward.allFinite() || outward.isZero()) return PartState::done;
-  const Vector3d middle = part.middle(), first = middle + kFirst * lambda_ * outward;
-  if (part.insist) return insist(part, normal, outward, targets);
+  Border border{part.from, part.to, outward, normal, false};
+  const PartState state = part.closes ? PartState::done : add_targets(view, part, border, outlook);
+  outlook.borders.push_back(border);
+  return state;
+}
+
+PartState TargetFinder::add_targets(const View& view, const OpenPart& part, Border& border,
+                                    Outlook& outlook) {
+  const Vector3d normal = border.normal;
+  const Vector3d middle = part.middle(), first = middle + kFirst * lambda_ * border.outward;
+  if (part.insist) return insist(part, border, outlook.targets);
   if (view.nearest(first, 0.4 * lambda_, {.only = part.segment}))
     return PartState::done;  // in a narrow inlet
   view.nearest(first, 1.5 * lambda_, others_, {.but = part.segment, .points = false});
@@ -81,24 +91,25 @@ PartState TargetFinder::add(const View& view, const OpenPart& part, std::vector<
   if (is_cut_off(view, part, normal, first)) return PartState::done;
 
   const auto tries = memory_.at(first, normal);
-  if (tries.is_empty()) return add_folded(view, part, normal, outward, targets);
+  if (tries.is_empty()) return add_folded(view, part, border, outlook);
   if (tries.is_given_up()) return tries.is_blocked() ? PartState::unreachable : PartState::unclosable;
-  targets.push_back({first, normal, 1});
-  for (std::size_t i = 0; i < kFarther.size(); ++i) {
-    const Vector3d at = middle + kFarther[i] * lambda_ * outward;
+  border.goes_on = true;
+  outlook.targets.push_back({first, normal, 1});
+  for (std::size_t i = 0; i < (getenv("NOFAR")?0:kFarther.size()); ++i) {
+    const Vector3d at = middle + kFarther[i] * lambda_ * border.outward;
     if (!is_open(at, normal) || is_cut_off(view, part, normal, at)) break;
-    targets.push_back({at, normal, kFartherWeight[i]});
+    outlook.targets.push_back({at, normal, kFartherWeight[i]});
   }
   return PartState::wanted;
 }
 
 /// Places on the edge and close outside it, whatever is known there.
-PartState TargetFinder::insist(const OpenPart& part, const Vector3d& normal, const Vector3d& outward,
+PartState TargetFinder::insist(const OpenPart& part, const Border& border,
                                std::vector<Target>& targets) const {
   for (const double off : {0.4, 0.0, 0.85}) {
-    const Vector3d at = part.middle() + off * lambda_ * outward;
-    if (!is_open(at, normal)) continue;
-    targets.push_back({at, normal, 0.9});
+    const Vector3d at = part.middle() + off * lambda_ * border.outward;
+    if (!is_open(at, border.normal)) continue;
+    targets.push_back({at, border.normal, 0.9});
     return PartState::wanted;
   }
   return PartState::unclosable;

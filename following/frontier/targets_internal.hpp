@@ -6,16 +6,10 @@
 #include <vector>
 
 #include "open_edge_map_internal.hpp"
+#include "outlook_internal.hpp"
 #include "place_memory_internal.hpp"
 
 namespace limpet::following::internal {
-
-/// A place where surface is expected that the model does not have yet.
-struct Target {
-  Eigen::Vector3d at;
-  Eigen::Vector3d normal;  ///< the way the expected surface faces
-  double weight = 1;       ///< what a reading there is worth
-};
 
 /// Finds targets: places 0.85, 1.5 and 2.4 λ outside an open edge, on its polygon's plane, up to where
 /// another polygon's plane cuts it off. Where rays have found the plane to end, the surface is expected
@@ -25,8 +19,9 @@ class TargetFinder {
   TargetFinder(const Parameters& parameters, const PlaceMemory& memory)
       : lambda_(parameters.resolution), memory_(memory) {}
 
-  /// Adds the targets outside a part of an open edge. Returns what there is to be done.
-  PartState add(const model::View&, const OpenPart&, std::vector<Target>&);
+  /// Adds the targets outside a part of an open edge, and the borders that it is. Returns what there is to be
+  /// done.
+  PartState add(const model::View&, const OpenPart&, Outlook&);
   /// Adds targets around a point segment that is seen from `viewpoint` and near no polygon.
   void add_around_point(const model::View&, const Eigen::Vector3d& point, const Eigen::Vector3d& viewpoint,
                         std::vector<Target>&) const;
@@ -34,10 +29,9 @@ class TargetFinder {
  private:
   bool is_cut_off(const model::View&, const OpenPart&, const Eigen::Vector3d& normal,
                   const Eigen::Vector3d& place) const;
-  PartState add_folded(const model::View&, const OpenPart&, const Eigen::Vector3d& normal,
-                       const Eigen::Vector3d& outward, std::vector<Target>&) const;
-  PartState insist(const OpenPart&, const Eigen::Vector3d& normal, const Eigen::Vector3d& outward,
-                   std::vector<Target>&) const;
+  PartState add_targets(const model::View&, const OpenPart&, Border&, Outlook&);
+  PartState add_folded(const model::View&, const OpenPart&, const Border&, Outlook&) const;
+  PartState insist(const OpenPart&, const Border&, std::vector<Target>&) const;
   bool is_open(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) const;
 
   double lambda_;

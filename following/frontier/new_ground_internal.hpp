@@ -1,0 +1,40 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "outlook_internal.hpp"
+
+namespace limpet::following::internal {
+
+/// How much a reading would add at a place of a plane: much where surface is expected and nothing is felt
+/// within some 0.9 λ. The surface is felt in fewest sets when most rays of each meet new ground; what they
+/// leave between them is for targets.
+class NewGround {
+ public:
+  NewGround(double resolution, const Eigen::Vector3d& origin, const Eigen::Vector3d& normal);
+
+  void add(const Border&);
+  void add_felt(const Eigen::Vector3d& point) { felt_.push_back(flat(point)); }
+  void add_empty(const Eigen::Vector3d& place) { empty_.push_back(flat(place)); }
+  /// From 0 to 1, for a place in the plane.
+  double at(const Eigen::Vector3d& place) const;
+
+ private:
+  struct Line {
+    Eigen::Vector2d from, along;  ///< outward is on the right of it
+    double length;
+    bool goes_on;
+  };
+  Eigen::Vector2d flat(const Eigen::Vector3d& p) const {
+    return {(p - origin_).dot(u_), (p - origin_).dot(v_)};
+  }
+
+  double lambda_;
+  Eigen::Vector3d origin_, u_, v_;
+  std::vector<Line> borders_;
+  std::vector<Eigen::Vector2d> felt_, empty_;
+};
+
+}  // namespace limpet::following::internal
