@@ -35,6 +35,7 @@ std::string to_json(const FollowSummary& s) {
   const FollowOutcome& run = s.run;
   json["sets"] = run.path.size();
   json["readings"] = run.readings;
+  json["points_confirmed"] = s.model.confirmed;
   json["ended"] = run.ended;
   json["closed"] = s.model.closed();
   json["polygons"] = s.model.polygons;

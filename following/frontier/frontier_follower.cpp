@@ -49,6 +49,7 @@ class FrontierFollower : public Follower {
   Motion go_on(const Observation&);
   Motion travel(const Observation&);
   std::vector<Vector3d> way_to_what_is_wanted() const;
+  std::vector<Vector3d> way_to_what_was_given(const Observation&);
   Vector3d bent_off(const View&, const Vector3d& here, const Vector3d& motion) const;
   Vector3d kept_off(const Observation&, const Vector3d& motion) const;
   Vector3d way_out(const Observation&) const;
@@ -70,6 +71,7 @@ class FrontierFollower : public Follower {
   std::vector<Vector3d> way_;  ///< of a travel, the next place last
   Vector3d before_ = Vector3d::Zero();
   long sets_ = 0, asked_ = -1;  ///< sets so far, and when it was last asked what would close
+  int off_way_ = 0;             ///< steps left to where no visited way leads; 0: on a visited way
   int stuck_ = 0;               ///< how often travels have been stopped since the last one that arrived
   bool travels_ = false, has_not_moved_ = false;
 };
@@ -204,8 +206,23 @@ std::vector<Vector3d> FrontierFollower::way_to_what_is_wanted() const {
       [&](const Vector3d& place) { return open_.any_wanted(place, kWithinReach * lambda()); });
 }
 
+/// Straight to the nearest wanted edge of an initial segment, which may be far from every visited place: what
+/// was felt is always near one. Along surfaces that are in the way, so the steps are counted.
+std::vector<Vector3d> FrontierFollower::way_to_what_was_given(const Observation& seen) {
+  constexpr double kDetour = 3;
+  const Vector3d here = seen.posture.control_point();
+  const auto edge = open_.nearest_wanted_of_initial(here, seen.model.view());
+  if (!edge) return {};
+  off_way_ = kStuck + static_cast<int>(std::ceil(kDetour * (*edge - here).norm() / step(seen)));
+  return {*edge};
+}
+
 Motion FrontierFollower::travel(const Observation& seen) {
   const Vector3d here = seen.posture.control_point();
+  if (!way_.empty() && off_way_ > 0 && --off_way_ == 0) {
+    open_.give_up(way_.front(), kWithinReach * lambda());
+    way_.clear();
+  }
   if (!way_.empty() && travels_ && has_not_moved_) {
     visited_.block(way_.back());
     if (++stuck_ >= kStuck) {
@@ -220,6 +237,8 @@ Motion FrontierFollower::travel(const Observation& seen) {
     way_ = way_to_what_is_wanted();
     if (way_.empty() && sets_ != asked_) leave_what_would_close(seen);
     if (way_.empty()) way_ = way_to_what_is_wanted();
+    off_way_ = 0;
+    if (way_.empty()) way_ = way_to_what_was_given(seen);
     if (way_.empty() && open_.insist()) way_ = way_to_what_is_wanted();
     if (way_.empty()) return {Vector3d::Zero(), Mode::travel, End::complete};
     std::reverse(way_.begin(), way_.end());

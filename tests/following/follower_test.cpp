@@ -30,6 +30,26 @@ TEST_P(AnyFollower, MotionsAreNoLongerThanTheStepAndTheCeiling) {
   });
 }
 
+/// As in thesis §4.3. Some of the starts are before a known face, far from all that is to be felt.
+TEST_P(AnyFollower, ClosesACubeThreeFacesOfWhichAreKnown) {
+  for (const double noise : {0.0, 0.002})
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+      RunOptions options;
+      options.noise = noise;
+      options.strategy = GetParam();
+      options.seed = seed;
+      options.known = {0, 1, 2};
+      options.most_sets = 6000;
+      const RunResult run = run_following(make_world_mesh("cube"), options);
+      SCOPED_TRACE(seed);
+      EXPECT_EQ(run.end, End::complete);
+      EXPECT_TRUE(run.closed);
+      EXPECT_EQ(run.polygons, 6);
+      EXPECT_GT(run.confirmed, 0);
+      EXPECT_GT(run.clearance, 0);
+    }
+}
+
 TEST_P(AnyFollower, EndsWhereThereIsNothing) {
   model::Model model(model::Parameters{});
   EXPECT_EQ(motion_at_rest(GetParam(), {}, 1, model).end, End::no_surface);

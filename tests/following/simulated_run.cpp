@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <limpet/simulation/box_world.hpp>
+#include <limpet/simulation/initial_faces.hpp>
 #include <limpet/simulation/shapes.hpp>
 #include <limpet/simulation/world.hpp>
 #include <limpet/survey/random.hpp>
@@ -145,6 +146,7 @@ RunResult run_following(const Mesh& mesh, const RunOptions& options,
   model_parameters.resolution = options.resolution;
   model_parameters.noise = options.noise;
   model::Model model(model_parameters);
+  model.add_initial(simulation::initial_faces(mesh, options.known));
   const auto follower = make_follower(options.strategy, parameters);
   RunResult result;
   result.clearance = result.model_clearance = std::numeric_limits<double>::infinity();
@@ -178,6 +180,7 @@ RunResult run_following(const Mesh& mesh, const RunOptions& options,
   result.marks = follower->marks();
   model.finish();
   result.polygons = model.counts().polygons;
+  result.confirmed = model.counts().confirmed;
   std::vector<model::View::Edge> open;
   model.view().open_edges(open);
   result.open_edges = std::ssize(open);

@@ -21,6 +21,7 @@ struct RunOptions {
   Strategy strategy = Strategy::thesis;
   std::uint64_t seed = 1;  ///< of the start, the heading and the noise
   int most_sets = 60000;
+  std::vector<int> known;  ///< faces of the mesh that are given as initial model segments
 };
 
 struct RunResult {
@@ -30,6 +31,7 @@ struct RunResult {
   bool closed = false;  ///< no open edge after Model::finish()
   std::int64_t polygons = 0;
   std::int64_t open_edges = 0;
+  std::int64_t confirmed = 0;  ///< readings on known faces
   double clearance = 0;        ///< smallest distance of the control point's way from the mesh
   double model_clearance = 0;  ///< smallest distance of a motion from the model that it was chosen by
   /// By how much a motion came nearer to that model than δ − λ, or than its start if this was nearer already;
