@@ -144,7 +144,7 @@ TEST(Confirmed, PlaneIsNotGrownOverByAPolygonBesideIt) {
   model.finish();
   const Counts counts = model.counts();
   EXPECT_EQ(counts.polygons, 2);
-  EXPECT_EQ(counts.loose, 0);
+  EXPECT_LE(counts.loose, 2) << "at a corner, far from the others";
   EXPECT_EQ(counts.confirmed,
             std::count_if(points.begin(), points.end(), [](const auto& p) { return p.position.x() >= 0; }));
   for (const auto& s : model.record().polygon_segments) {
@@ -172,6 +172,32 @@ TEST(Confirmed, NeighboursAreBuiltUpToTheCommonEdge) {
     EXPECT_NEAR(static_cast<double>(counts.confirmed), 3'000, 30);
     EXPECT_LT(counts.loose + counts.expired, 30);
   }
+}
+
+/// A neighbour at any angle to the ground, half of whose points are seen from before the ground, too. The
+/// sharper the edge, the wider the strip along it whose points may lie on the ground.
+TEST(Confirmed, NeighboursAreBuiltAtSharpEdges) {
+  for (const double side : {1.0, -1.0})  // above the ground, a concave edge; below, a convex one
+    for (const double degrees : {20, 45, 90, 135}) {
+      SCOPED_TRACE(side * degrees);
+      const double c = std::cos(degrees * 0.017453292519943295), s = std::sqrt(1 - c * c);
+      const Vector3d along(0, c, side * s), normal(0, side * s, -c);
+      const Vector3d from_before = (-normal - 1.01 * Vector3d::UnitZ()).normalized();
+      Random random(4);
+      Points points;
+      for (int i = 0; i < 3'000; ++i) {
+        const Vector3d at = random.uniform(0, 1) * Vector3d::UnitX() + random.uniform(0, 1) * along;
+        points.push_back({at + kNoise * random.normal() * normal,
+                          i % 2 == 0 && from_before.dot(normal) < 0 ? from_before : Vector3d(-normal)});
+      }
+      Model model = knowing({ground()});
+      feed(model, points);
+      model.finish();
+      EXPECT_EQ(broken_laws(model.record()), "");
+      EXPECT_EQ(model.counts().polygons, 2);
+      EXPECT_EQ(model.counts().shared_edges, 1);
+      EXPECT_LT(model.counts().confirmed, 3'000 * kTolerance / s);
+    }
 }
 
 TEST(Confirmed, ContradictedFacesStayAndWhatIsFeltIsModelledBesideThem) {
