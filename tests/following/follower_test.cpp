@@ -17,15 +17,14 @@ TEST_P(AnyFollower, TheSameSeedGivesTheSameMotions) {
   options.noise = 0.002;
   options.most_sets = 400;
   options.strategy = GetParam();
-  const auto mesh = make_world_mesh("cube");
-  EXPECT_EQ(run_following(mesh, options).places, run_following(mesh, options).places);
+  EXPECT_EQ(run_following(options).places, run_following(options).places);
 }
 
 TEST_P(AnyFollower, MotionsAreNoLongerThanTheStepAndTheCeiling) {
   RunOptions options;
   options.most_sets = 300;
   options.strategy = GetParam();
-  run_following(make_world_mesh("cube"), options, [&](const Observation&, const Motion& motion) {
+  run_following(options, [&](const Observation&, const Motion& motion) {
     EXPECT_LE(motion.displacement.norm(), options.resolution + 1e-12);  // the robot's ceiling γ
   });
 }
