@@ -5,6 +5,7 @@
 #include <limpet/app/follow_run.hpp>
 #include <limpet/app/follow_setup.hpp>
 #include <limpet/app/summary.hpp>
+#include <limpet/model/view.hpp>
 #include <limpet/simulation/world_description.hpp>
 
 #include "../scan_case.hpp"
@@ -59,10 +60,11 @@ double felt_area(const simulation::BuiltWorld& world) {
 }
 
 void tell_model(const model::Model& model, RunFigures& figures) {
-  const app::Summary summary = app::summarise(model.record(), model.open_edges());
-  figures.polygons = summary.polygons;
-  figures.open_edges = summary.open_edges;
-  figures.closed = summary.closed();
+  std::vector<model::View::Edge> open;
+  model.view().open_edges(open);
+  figures.polygons = model.counts().polygons;
+  figures.open_edges = std::ssize(open);
+  figures.closed = figures.polygons > 0 && open.empty();
 }
 
 void tell_judgement(const evaluation::RunJudgement& judged, double clearance, RunFigures& figures) {
