@@ -81,8 +81,8 @@ Measured measure_sensitivity(const RunPlan& plan, const VariedOptions& options) 
   vary("μ", usual, &Usual::angle, rows);
   vary("δ", usual, &Usual::follow_distance, rows);
   vary("σ_max", usual, &Usual::step, rows);
-  rows.push_back(with("σ_max, γ 3.6 λ", "1", far));
-  vary("σ_max, γ 3.6 λ", far, &Usual::step, rows);
+  rows.push_back(with("σ_max at γ 3.6 λ", "1", far));
+  vary("σ_max at γ 3.6 λ", far, &Usual::step, rows);
   vary("γ", usual, &Usual::ceiling, rows);
   vary("ρ", usual, &Usual::stray, rows);
   vary("τ", usual, &Usual::period, rows);
