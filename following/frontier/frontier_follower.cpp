@@ -37,6 +37,7 @@ class FrontierFollower : public Follower {
   Marks marks() const override {
     return {{}, open_.edges(internal::PartState::unreachable), open_.edges(internal::PartState::unclosable)};
   }
+  std::int64_t outcomes_asked() const override { return outcomes_asked_; }
 
  protected:
   Motion choose(const Observation&) override;
@@ -72,7 +73,8 @@ class FrontierFollower : public Follower {
   Vector3d before_ = Vector3d::Zero();
   long sets_ = 0, asked_ = -1;  ///< sets so far, and when it was last asked what would close
   int off_way_ = 0;             ///< steps left to where no visited way leads; 0: on a visited way
-  int stuck_ = 0;               ///< how often travels have been stopped since the last one that arrived
+  std::int64_t outcomes_asked_ = 0;
+  int stuck_ = 0;  ///< how often travels have been stopped since the last one that arrived
   bool travels_ = false, has_not_moved_ = false;
 };
 
@@ -158,6 +160,7 @@ void FrontierFollower::give_up_what_is_near() {
 
 void FrontierFollower::leave_what_would_close(const Observation& seen) {
   open_.note(seen.model.would_finish());
+  ++outcomes_asked_;
   asked_ = sets_;
 }
 
