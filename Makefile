@@ -4,7 +4,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 SOURCES = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: demo test build fuzz coverage same-bytes tsan mutants bench bench-predicates bench-compare benchmarks
+.PHONY: demo test build fuzz coverage same-bytes tsan mutants bench bench-predicates bench-following bench-compare benchmarks
 .PHONY: format format-check lint install clean packages configure
 
 demo: configure
@@ -65,6 +65,19 @@ bench-predicates:
 	for picture in runs operations laws unions; do [ ! -f out/predicates/$$picture.csv ] || \
 	  gnuplot -e "folder='out/predicates'" benchmarks/plots/predicates_$$picture.gp; done
 	@echo "out/predicates/report.md, with its tables as CSV and its pictures"
+
+# How well surfaces are followed (docs/benchmarks.md), in out/following: about half an hour; FULL=1 takes hours.
+# SECTIONS="faults memory" for some of them, PARTS="a.off b.off" for mesh files, too.
+bench-following:
+	tools/install_packages.sh bench
+	cmake --preset bench
+	cmake --build --preset bench -j $(JOBS) --target limpet_following_bench
+	mkdir -p out/following
+	for section in $(or $(SECTIONS),worlds table1 sensitivity faults memory $(if $(PARTS),parts)); do \
+	  build/bench/benchmarks/following/limpet_following_bench $$section $$([ $$section = parts ] && echo "$(PARTS)") \
+	  $(if $(FULL),--starts 20 --oracle 10,--max-seconds 60) --workers $(JOBS) \
+	  --json out/following/$$section.json > out/following/$$section.md || exit; done
+	@echo "out/following has a table and all figures of each section"
 
 # HEAD against BASE, on the same scans in turn.
 bench-compare:

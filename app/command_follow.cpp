@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/follow_judgement.hpp>
 #include <limpet/app/follow_result.hpp>
 #include <limpet/app/follow_run.hpp>
 #include <limpet/app/interrupt.hpp>
@@ -26,37 +27,6 @@ void say_choice(const FollowArguments& args, const FollowSetup& setup) {
                static_cast<unsigned long long>(setup.seed));
 }
 
-/// The marks of a run as the judge takes them. `view` is that of the model they were made in.
-std::vector<evaluation::GivenUp> given_up(const model::View& view, const following::Marks& marks) {
-  std::vector<evaluation::GivenUp> result;
-  const auto add = [&](const model::View::Edge& edge) {
-    const Eigen::Vector3d normal = view.segment(edge.segment)->plane.normal;
-    const Eigen::Vector3d outward = (edge.to - edge.from).cross(normal);
-    if (outward.norm() > 0) result.push_back({edge.from, edge.to, outward.normalized()});
-  };
-  for (const auto* ids : {&marks.unreachable_edges, &marks.unclosable_edges})
-    for (const geometry::EdgeId id : *ids)
-      if (const auto edge = view.edge(id)) add(*edge);
-  std::vector<model::View::Edge> edges;
-  for (const model::SegmentId segment : marks.unreachable_segments) {
-    view.open_edges(segment, edges);
-    for (const auto& edge : edges) add(edge);
-  }
-  return result;
-}
-
-evaluation::RunJudgement judge_by_truth(const FollowSetup& setup, const FollowOutcome& outcome,
-                                        const model::Model& model) {
-  evaluation::RunJudgementOptions options;
-  options.resolution = setup.following.resolution;
-  options.follow_distance = setup.following.follow_distance;
-  options.ceiling = setup.robot.ceilings.prismatic;
-  const kinematics::Configuration start = setup.start;
-  options.sensing = evaluation::sensing_of(kinematics::Posture(setup.robot, start));
-  return evaluation::judge_run(
-      *setup.world.truth, {outcome.path, model.record(), given_up(model.view(), outcome.marks)}, options);
-}
-
 RunHead head_of(const FollowSetup& setup) {
   return {geometry::arithmetic(), setup.strategy, setup.seed,         setup.model,
           setup.following,        setup.robot,    setup.world.initial};
@@ -71,7 +41,7 @@ RunSet set_of(const FollowStep& step) {
 }
 
 std::string note_on(const FollowStep& step) {
-  const model::Counts counts = step.model.counts();
+  const model::Counts counts = step.seen.model.counts();
   return std::to_string(counts.polygons) + " polygons, " +
          std::to_string(counts.edges - 2 * counts.shared_edges) + " open edges, " +
          std::string(following::name_of(step.motion.mode));
@@ -97,7 +67,7 @@ int run(const FollowArguments& args) {
     ++sets;
     if (record) record->add(set_of(step));
     progress.step(sets, note_on(step));
-    if (args.check_every > 0 && sets % args.check_every == 0) judge.judge_model(step.model, sets);
+    if (args.check_every > 0 && sets % args.check_every == 0) judge.judge_model(step.seen.model, sets);
   });
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress.clear();

@@ -43,8 +43,10 @@ FollowOutcome FollowRun::go(const std::function<void(const FollowStep&)>& look) 
 
 std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(const FollowStep&)>& look) {
   kinematics::Configuration at = setup_.start;
+  const auto begin = Clock::now();
   for (std::int64_t set = 0; set < setup_.max_sets; ++set) {
     if (interrupted()) return "interrupted";
+    if (microseconds_since(begin) > 1e6 * setup_.max_seconds) return "max-seconds";
     const simulation::Sensed sensed = sensing_.sense(setup_.robot, at);
     outcome.path.push_back(kinematics::Posture(setup_.robot, at).control_point());
     outcome.readings += static_cast<std::int64_t>(sensed.points.size());
@@ -54,12 +56,13 @@ std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(co
     outcome.model_us.push_back(microseconds_since(start));
     start = Clock::now();
     const kinematics::Posture posture(setup_.robot, sensed.measured);
-    const following::Motion motion = follower_->next({model_, changes, posture, sensed.points});
+    const following::Observation seen{model_, changes, posture, sensed.points};
+    const following::Motion motion = follower_->next(seen);
     outcome.step_us.push_back(microseconds_since(start));
 
     if (motion.end == following::End::no_surface)
       throw UsageError("no surface is within sensing range of the start; give another --start");
-    look({sensed, motion, model_, outcome.path.back()});
+    look({sensed, seen, motion, *follower_, outcome.path.back()});
     if (motion.end != following::End::none) return std::string(following::name_of(motion.end));
     ++outcome.steps_in_mode[static_cast<std::size_t>(motion.mode)];
     at += kinematics::actuator_changes(posture, motion.displacement);

@@ -17,14 +17,15 @@ namespace limpet::app {
 /// One set of a run, for who looks on.
 struct FollowStep {
   const simulation::Sensed& sensed;
+  const following::Observation& seen;  ///< what the follower was told
   const following::Motion& motion;
-  const model::Model& model;
+  const following::Follower& follower;
   const Eigen::Vector3d& control_point;  ///< where it truly is
 };
 
 /// What a run has come to. Times are of each set, in microseconds.
 struct FollowOutcome {
-  std::string ended;                  ///< complete, max-sets, interrupted or stopped
+  std::string ended;                  ///< complete, max-sets, max-seconds, interrupted or stopped
   std::vector<Eigen::Vector3d> path;  ///< where the control point truly was at each set
   std::int64_t readings = 0;
   std::array<std::int64_t, following::kModeCount> steps_in_mode{};
@@ -38,8 +39,9 @@ class FollowRun {
   /// The setup must outlive it. Throws UsageError when the model's parameters or initial faces make no sense.
   explicit FollowRun(const FollowSetup&);
 
-  /// Steps until the follower is done, the sets are used up, or the run is interrupted; then finishes the
-  /// model. look(step) is called after each set. Throws UsageError when the start senses no surface.
+  /// Steps until the follower is done, the sets or the time are used up, or the run is interrupted; then
+  /// finishes the model. look(step) is called after each set. Throws UsageError when the start senses no
+  /// surface.
   FollowOutcome go(const std::function<void(const FollowStep&)>& look);
 
   const model::Model& model() const { return model_; }

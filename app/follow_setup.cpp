@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limpet/app/arguments.hpp>
-#include <limpet/app/scene_file.hpp>
 #include <limpet/io/text.hpp>
 #include <stdexcept>
 
@@ -16,6 +15,7 @@ constexpr double kDegree = 0.017453292519943295;
 /// The scene with the options of the command line put over it.
 SceneFile scene_of(const FollowArguments& args) {
   SceneFile scene = read_scene(args.scene);
+  if (!args.robot.empty()) scene.robot.kind = args.robot;
   if (args.resolution) scene.parameters.resolution = args.resolution;
   if (args.angle_deg) scene.parameters.angle_rad = *args.angle_deg * kDegree;
   if (args.redundancy) scene.parameters.redundancy = args.redundancy;
@@ -58,9 +58,8 @@ following::Parameters following_of(const SceneFile& scene, double resolution) {
   return p;
 }
 
-kinematics::Robot robot_of(const SceneFile& scene, const FollowArguments& args,
-                           const following::Parameters& p, std::uint64_t seed) {
-  const std::string kind = args.robot.empty() ? scene.robot.kind.value_or("point") : args.robot;
+kinematics::Robot robot_of(const SceneFile& scene, const following::Parameters& p, std::uint64_t seed) {
+  const std::string kind = scene.robot.kind.value_or("point");
   if (kind != "point") throw UsageError("--robot " + kind + ": there is only the point robot so far: point");
   const double ceiling = scene.robot.ceiling.value_or(p.resolution);
   if (!(ceiling > 0 && ceiling < p.sensing_range))
@@ -97,14 +96,13 @@ double chosen_resolution(const simulation::Mesh& mesh) {
   return std::clamp(simulation::narrowest_place(mesh) / 4, side / 40, side / 20);
 }
 
-FollowSetup make_setup(const FollowArguments& args) {
-  const SceneFile scene = scene_of(args);
+FollowSetup make_setup(const SceneFile& scene) {
   FollowSetup setup;
   setup.seed = scene.seed.value_or(1);
   setup.world = simulation::build_world(scene.world, setup.seed);
   const double resolution = resolution_of(scene, setup.world);
   setup.following = following_of(scene, resolution);
-  setup.robot = robot_of(scene, args, setup.following, setup.seed);
+  setup.robot = robot_of(scene, setup.following, setup.seed);
   setup.model = model_of(scene, setup.world, resolution);
   setup.errors = scene.errors;
   setup.strategy = scene.strategy.value_or(following::Strategy::frontier);
@@ -114,5 +112,7 @@ FollowSetup make_setup(const FollowArguments& args) {
                     : simulation::random_start(setup.world, setup.following.follow_distance, setup.seed);
   return setup;
 }
+
+FollowSetup make_setup(const FollowArguments& args) { return make_setup(scene_of(args)); }
 
 }  // namespace limpet::app

@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/scene_file.hpp>
 #include <limpet/following/follower.hpp>
 #include <limpet/kinematics/robot.hpp>
 #include <limpet/model/parameters.hpp>
@@ -22,13 +24,16 @@ struct FollowSetup {
   following::Parameters following;
   following::Strategy strategy = following::Strategy::frontier;
   std::int64_t max_sets = 0;
+  double max_seconds = std::numeric_limits<double>::infinity();  ///< for a run that must not hang
   std::uint64_t seed = 1;
 };
 
-/// Puts together what the scene and the command line say; options of the command line come first. What
-/// neither says is chosen: λ by the object (chosen_resolution()), all other lengths by λ as in thesis §4.3,
-/// the start at random by the seed. Throws UsageError when lengths do not fit each other (λ < δ < range,
-/// σ_max < range, γ·r < range), or something is missing, and what read_scene() and build_world() throw.
+/// Puts together what a scene says. What it does not say is chosen: λ by the object (chosen_resolution()),
+/// all other lengths by λ as in thesis §4.3, the start at random by the seed. Throws UsageError when lengths
+/// do not fit each other (λ < δ < range, σ_max < range, γ·r < range), or something is missing, and what
+/// read_scene() and build_world() throw.
+FollowSetup make_setup(const SceneFile&);
+/// The same for what the scene and the command line say; options of the command line come first.
 FollowSetup make_setup(const FollowArguments&);
 
 /// The λ that an object asks for: a quarter of its narrowest place, but from a fortieth to a twentieth of its

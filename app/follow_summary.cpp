@@ -1,20 +1,15 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/app/follow_summary.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <limpet/io/text.hpp>
+#include <limpet/survey/noise_law.hpp>
 #include <nlohmann/json.hpp>
 
 namespace limpet::app {
 namespace {
 
-double quantile(std::vector<double> values, double part) {
-  if (values.empty()) return 0;
-  const auto at = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
+using survey::quantile;
 
 std::string microseconds(const std::vector<double>& times) {
   char text[80];
@@ -35,6 +30,7 @@ std::string to_json(const FollowSummary& s) {
   const FollowOutcome& run = s.run;
   json["sets"] = run.path.size();
   json["readings"] = run.readings;
+  json["points_confirmed"] = s.model.confirmed;
   json["ended"] = run.ended;
   json["closed"] = s.model.closed();
   json["polygons"] = s.model.polygons;

@@ -29,6 +29,7 @@ Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEd
   for (const auto& segment : model.point_segments) s.loose += segment.moments.count;
   std::int64_t shared = 0;
   for (const auto& segment : model.polygon_segments) {
+    s.confirmed += segment.confirmed;
     s.holes += static_cast<std::int64_t>(segment.cycles.size()) - 1;
     for (const auto& cycle : segment.cycles) {
       for (const auto& vertex : cycle) ++(vertex.partner != 0 ? shared : s.open_edges);
@@ -50,6 +51,7 @@ std::string to_json(const Summary& s) {
   json["points_loose"] = s.loose;
   json["points_refused"] = s.refused;
   json["points_expired"] = s.expired;
+  json["points_confirmed"] = s.confirmed;
   json["sets"] = s.sets;
   json["segments"] = s.segments;
   json["polygons"] = s.polygons;
@@ -98,6 +100,7 @@ std::string to_text(const Summary& s) {
     text << "redundant segments deleted: " << io::grouped(s.redundant_by_count) << " by their points, "
          << io::grouped(s.redundant_by_position) << " by position\n";
   }
+  if (s.confirmed > 0) text << "on faces known beforehand: " << io::grouped(s.confirmed) << " points\n";
   if (s.loose + s.refused + s.expired > 0) {
     text << "in no polygon: " << io::grouped(s.loose) << " points loose, " << io::grouped(s.expired)
          << " given up as outliers; " << io::grouped(s.refused) << " records were no point\n";

@@ -16,10 +16,11 @@ namespace limpet::app {
 
 /// What a run of `limpet model` comes to: the keys of --json (a contract), and the lines on standard output.
 struct Summary {
-  std::int64_t points = 0;   ///< accepted
-  std::int64_t loose = 0;    ///< in point segments
-  std::int64_t refused = 0;  ///< records that were no point
-  std::int64_t expired = 0;  ///< given up as outliers
+  std::int64_t points = 0;     ///< accepted
+  std::int64_t loose = 0;      ///< in point segments
+  std::int64_t refused = 0;    ///< records that were no point
+  std::int64_t expired = 0;    ///< given up as outliers
+  std::int64_t confirmed = 0;  ///< on faces known beforehand
   std::int64_t sets = 0;
   std::int64_t segments = 0, polygons = 0, holes = 0;
   std::int64_t shared_edges = 0;  ///< corresponding pairs

@@ -172,6 +172,7 @@ void read_polygon(Reader& reader, Polygon& polygon) {
   reader.take("chart", polygon.origin, polygon.u, polygon.v, polygon.n);
   reader.take("height", polygon.h0, polygon.hx, polygon.hy);
   reader.take("initial", polygon.initial_centroid, polygon.initial_normal);
+  if (reader.keyword() == "confirmed") reader.take("confirmed", polygon.confirmed);
   read_cycles(reader, polygon);
   read_raw(reader, polygon);
 }

@@ -54,7 +54,8 @@ struct Polygon : Segment {
   /// The published plane as a height map over the chart: h0 + hx·x + hy·y, in grid steps.
   double h0 = 0, hx = 0, hy = 0;
   Vector initial_centroid{}, initial_normal{};
-  std::vector<Cycle> cycles;  ///< the outer perimeter, then the holes
+  std::uint64_t confirmed = 0;  ///< sensor points that lie on it, and are not among its data
+  std::vector<Cycle> cycles;    ///< the outer perimeter, then the holes
 };
 
 /// A native model file as parsed: only its syntax has been checked.

@@ -106,10 +106,16 @@ void judge_counts(const Document& document, Report& report) {
   // In 128 bits the sum cannot overflow, however many segments the file holds.
   Int128 represented = document.expired;
   for (const Segment& segment : document.point_segments) represented += segment.moments.m;
-  for (const Polygon& polygon : document.polygons) represented += polygon.moments.m;
+  for (const Polygon& polygon : document.polygons) {
+    represented += polygon.moments.m;
+    represented += polygon.confirmed;
+    if (polygon.confirmed > 0 && polygon.moments.m > 0)
+      report.add("confirmed", segment_name(polygon),
+                 std::to_string(polygon.confirmed) + " points confirm it, but it has data of its own");
+  }
   if (represented != static_cast<Int128>(document.points))
     report.add("point-count", "header",
-               std::to_string(document.points) + " points, but segments and expired points make " +
+               std::to_string(document.points) + " points, but segments, confirmed and expired points make " +
                    (represented > static_cast<Int128>(UINT64_MAX)
                         ? "more than 2^64"
                         : std::to_string(static_cast<std::uint64_t>(represented))));

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include "child.hpp"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -82,7 +83,7 @@ std::string ChildEnd::how() const {
 
 ChildEnd run_child(const std::function<void()>& body, const ChildLimits& limits) {
   std::array<int, 2> ends{};
-  if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
   std::cout.flush();
   std::fflush(nullptr);
   const pid_t child = ::fork();

@@ -75,6 +75,16 @@ std::string Table::markdown() const {
   return head.append(rule).append("|\n").append(body);
 }
 
+Json Table::json() const {
+  Json rows = Json::array();
+  for (const auto& cells : rows_) {
+    Json row;
+    for (std::size_t c = 0; c < columns_.size(); ++c) row[columns_[c].name] = cells[c];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 void Table::write_csv(const std::string& path) const {
   std::ofstream file(path);
   const auto write = [&](const auto& cells, auto text_of) {

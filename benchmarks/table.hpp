@@ -22,6 +22,8 @@ class Table {
   bool empty() const { return rows_.empty(); }
 
   std::string markdown() const;
+  /// A list of rows, each an object of its cells by their columns' names.
+  Json json() const;
   /// Throws std::runtime_error if the file cannot be written.
   void write_csv(const std::string& path) const;
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -89,6 +90,9 @@ class Follower {
 
   const Parameters& parameters() const { return parameters_; }
   virtual Marks marks() const = 0;
+  /// How often the model has been asked what finishing would close (Model::would_finish()), which takes by
+  /// far the longest of all that a step may do.
+  virtual std::int64_t outcomes_asked() const = 0;
 
  protected:
   /// The motion that the strategy wants. next() shortens it to what is clear, and to σ_max and the ceilings.

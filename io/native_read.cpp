@@ -93,6 +93,10 @@ model::PolygonSegmentRecord read_polygon(Fields& in) {
   segment.initial_centroid = in.vector();
   segment.initial_normal = in.vector();
   in.done();
+  if (in.optional_line("confirmed")) {
+    segment.confirmed = in.count();
+    in.done();
+  }
   in.line("cycles");
   const std::int64_t cycles = in.count();
   in.done();

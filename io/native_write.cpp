@@ -77,6 +77,7 @@ void write_segment(std::string& text, const model::PolygonSegmentRecord& segment
   Line(text, "chart") << segment.chart_origin << segment.chart_u << segment.chart_v << segment.chart_normal;
   Line(text, "height") << segment.height[0] << segment.height[1] << segment.height[2];
   Line(text, "initial") << segment.initial_centroid << segment.initial_normal;
+  if (segment.confirmed > 0) Line(text, "confirmed") << segment.confirmed;
   Line(text, "cycles") << static_cast<std::uint64_t>(segment.cycles.size());
   for (const auto& cycle : segment.cycles) {
     Line(text, "cycle") << static_cast<std::uint64_t>(cycle.size());

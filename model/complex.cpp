@@ -70,6 +70,7 @@ std::vector<EdgeId> Complex::erase(Segment& s) {
       if (place && place->segment == s.slot) gone.push_back(edge);
     });
     for (const EdgeId edge : gone) edges_.erase(edge);
+    initial_count_ -= s.initial();
     modelled_area_ -= s.polygon->counted_area;
     modelled_points_ -= s.count();
   }

@@ -148,6 +148,7 @@ const Segment& Complex::create_initial(const Fit& fit, std::unique_ptr<PolygonPa
   agenda_.opened(s.slot);
   s.fit = fit;
   s.polygon = std::move(part);
+  ++initial_count_;
   agenda_.became_polygon(s.slot);
   BoundaryDifference difference = book_difference(s, true);
   s.polygon->box = perimeter_box(*s.polygon);

@@ -68,6 +68,7 @@ class Complex {
   std::int64_t now() const { return now_; }
   double modelled_area() const { return modelled_area_; }  ///< of all polygons but initial ones, λ²
   std::int64_t modelled_points() const { return modelled_points_; }  ///< sensor points in all polygons
+  std::size_t initial_count() const { return initial_count_; }       ///< of initial segments
   std::uint64_t next_edge() const { return edge_ids_.next(); }
   /// The changes since forget_changes(), in order; complete after settle_changes().
   const std::vector<Change>& changes() const { return changes_.all(); }
@@ -93,6 +94,8 @@ class Complex {
   void remove(const Segment&);
   /// A point joins a polygon, whose perimeter has been extended to it already.
   void absorb(const Segment& into, const RawPoint&);
+  /// A reading lies on an initial segment, which it leaves as it is.
+  void confirm(const Segment& initial) { ++mutable_of(initial).polygon->confirmed; }
   /// Moves all sensor points of `from` to `into`, and deletes `from`. The plane is not fitted anew.
   void absorb(const Segment& into, const Segment& from, bool stays_young);
   /// The same for two polygons when the perimeter of `into` is already that of both. `into` gets a new
@@ -203,6 +206,7 @@ class Complex {
   std::int64_t now_ = 0;
   double modelled_area_ = 0;
   std::int64_t modelled_points_ = 0;
+  std::size_t initial_count_ = 0;
   int ends_held_ = 0;                       ///< see with_ends_apart()
   std::vector<geometry::EdgeId> ends_due_;  ///< shared edges whose ends are to be checked then
   BoundaryDifference spare_;                ///< empty; its memory is for the next one

@@ -1,7 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // Initial model segments (thesis §4.3): faces known beforehand. They represent no sensor points, merge with
-// nothing and are never modified, but they share edges and corners.
+// nothing and are never modified, but they share edges and corners. Points on them are counted
+// (Insertion::insert_one()).
 #include <stdexcept>
 
 #include <limpet/geometry/predicates.hpp>

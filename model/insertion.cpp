@@ -2,6 +2,7 @@
 #include "insertion_internal.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "heights_internal.hpp"
 #include "merging_internal.hpp"
@@ -91,24 +92,58 @@ void Insertion::settle(const Segment* s, bool polygons_tried) {
   }
 }
 
+/// The initial segment, of those found, that a point lies on: the nearest, ties by identity. Null: on none.
+const Segment* Insertion::initial_under(const Eigen::Vector3d& p, const RawPoint& raw) const {
+  const Segment* best = nullptr;
+  double least = 0;
+  for (const std::uint32_t slot : found_) {
+    const Segment& s = complex_.at(slot);
+    if (!s.initial() || !lies_on_initial(complex_.setting(), s, p, raw.axis, raw.variance)) continue;
+    const double height = std::abs(s.fit.height_of(p));
+    if (best && (height != least ? height > least : s.id > best->id)) continue;
+    best = &s, least = height;
+  }
+  return best;
+}
+
+/// Of the polygons that a point fits, which lies on an initial segment, leaves those that come before it:
+/// they cross it, and the point is nearer to them. So a neighbour gets its points up to the common line, and
+/// a polygon in the plane of the initial segment does not grow over it.
+void Insertion::keep_nearer_crossing(const Segment& initial, const Eigen::Vector3d& p,
+                                     Candidates& polygons) const {
+  const double height = std::abs(initial.fit.height_of(p));
+  std::erase_if(polygons, [&](const Candidate& c) {
+    const Fit& fit = c.segment->fit;
+    return std::abs(fit.height_of(p)) >= height ||
+           fit.normal.dot(initial.fit.normal) >= complex_.setting().cos_angle;
+  });
+}
+
 void Insertion::insert_one(const RawPoint& raw) {
   candidates_.clear();
   const Eigen::Vector3d p = complex_.setting().world(raw.at);
-  const bool best = complex_.rules().best;
-  if (best)
+  const bool best = complex_.rules().best, any_initial = complex_.initial_count() > 0;
+  if (best || any_initial)
     complex_.polygons().query(p, found_);
   else
     found_.clear();
-  for (const std::uint32_t slot : found_) {
-    const Segment& s = complex_.at(slot);
-    const double height = s.fit.height_of(p);
-    if (height * height < complex_.setting().lambda2)
-      add_polygon(s, p, raw.axis, height * height, raw.variance, candidates_);
-  }
+  const Segment* initial = any_initial ? initial_under(p, raw) : nullptr;
+  if (best)
+    for (const std::uint32_t slot : found_) {
+      const Segment& s = complex_.at(slot);
+      const double height = s.fit.height_of(p);
+      if (height * height < complex_.setting().lambda2)
+        add_polygon(s, p, raw.axis, height * height, raw.variance, candidates_);
+    }
+  if (initial) keep_nearer_crossing(*initial, p, candidates_);
   if (candidates_.size() > 1) order_by_heights(p, candidates_);
   for (const Candidate& c : candidates_)
     if (merge_point_into_polygon(complex_, agenda_, *c.segment, raw, c.standing))
       return labels_.set(raw, c.segment->id);
+  if (initial) {
+    complex_.confirm(*initial);
+    return labels_.set(raw, initial->id);
+  }
   const Segment& s = complex_.create_point_segment(raw);
   agenda_.note_age(s.id, complex_.now());
   labels_.set(raw, s.id);

@@ -17,8 +17,9 @@ class Insertion {
   Insertion(Complex& complex, Agenda& agenda, Labels& labels)
       : complex_(complex), agenda_(agenda), labels_(labels) {}
 
-  /// Puts a point into the polygon it fits best, or makes it a point segment, which merges with its
-  /// neighbours. Then does the same with all points that are pending because of it.
+  /// Puts a point into the polygon it fits best; or, if it lies on an initial segment, lets it confirm that;
+  /// or makes it a point segment, which merges with its neighbours. Then does the same with all points that
+  /// are pending because of it.
   void insert(const RawPoint&);
   void insert_pending();
   PendingPoints& pending() { return pending_; }
@@ -34,6 +35,8 @@ class Insertion {
   using Candidates = std::vector<Candidate>;
 
   void insert_one(const RawPoint&);
+  const Segment* initial_under(const Eigen::Vector3d& p, const RawPoint&) const;
+  void keep_nearer_crossing(const Segment& initial, const Eigen::Vector3d& p, Candidates& polygons) const;
   void settle(const Segment*, bool polygons_tried);
   void find_neighbours(const Segment&, bool polygons_tried);
   void add_polygon(const Segment&, const Eigen::Vector3d& p, const Eigen::Vector3d& axis, double residual2,

@@ -46,6 +46,7 @@ Counts Model::counts() const {
       return;
     }
     ++c.polygons;
+    c.confirmed += s.polygon->confirmed;
     c.holes += static_cast<std::int64_t>(s.polygon->perimeter.hole_count());
   });
   c.edges = static_cast<std::int64_t>(e.complex.edges().size());

@@ -26,10 +26,11 @@ struct InitialFace {
 
 /// Counts of what a model has taken in so far, and of what it consists of now.
 struct Counts {
-  std::int64_t points = 0;   ///< sensor points accepted
-  std::int64_t refused = 0;  ///< readings that were no point (Model::update())
-  std::int64_t expired = 0;  ///< points given up: outliers, and of redundant segments
-  std::int64_t loose = 0;    ///< sensor points in point segments
+  std::int64_t points = 0;     ///< sensor points accepted
+  std::int64_t refused = 0;    ///< readings that were no point (Model::update())
+  std::int64_t expired = 0;    ///< points given up: outliers, and of redundant segments
+  std::int64_t loose = 0;      ///< sensor points in point segments
+  std::int64_t confirmed = 0;  ///< sensor points that lie on initial segments (Model::add_initial())
   std::int64_t sets = 0;
   std::int64_t point_segments = 0, polygons = 0, holes = 0;
   std::int64_t edges = 0, shared_edges = 0;
@@ -51,7 +52,8 @@ class View;
 ///  (1) After every call the promise of docs/exactness.md holds: each perimeter is a simple polygon,
 ///      anticlockwise, its holes inside and disjoint; and so do the other laws of audit/laws.cpp;
 ///  (2) the same calls give the same model, byte for byte;
-///  (3) every reading is accounted for: it was refused, has expired, or is in exactly one segment;
+///  (3) every reading is accounted for: it was refused, has expired, lies on an initial segment, or is in
+///      exactly one segment;
 ///  (4) the changes that a call returns tell everything that happened to segments, edges and shared edges: a
 ///      caller can keep a copy by applying them and asking where the named edges are now (changes.hpp);
 ///  (5) a shared edge has one partner, on another segment of the same surface, and is its partner's partner;
@@ -68,17 +70,26 @@ class Model {
   /// Throws std::invalid_argument when a parameter is out of range.
   explicit Model(const Parameters&);
   /// Continues from a record. Throws std::invalid_argument when a parameter is out of range, a perimeter is
-  /// not valid, a segment's identity occurs twice, or a shared edge has no partner. The laws hold for what
-  /// follows, but later calls may give other results than on the recorded model; from_state() keeps these.
+  /// not valid, a segment's identity occurs twice, a shared edge has no partner, or a segment is confirmed
+  /// that is not an initial one. The laws hold for what follows, but later calls may give other results than
+  /// on the recorded model; from_state() keeps these.
   explicit Model(const ModelRecord&);
   ~Model();
   Model(Model&&) noexcept;
   Model& operator=(Model&&) noexcept;
 
   /// Adds initial model segments (thesis §4.3): they represent no points, merge with nothing and are never
-  /// modified, but share edges and corners with other segments. Throws std::invalid_argument when a face has
-  /// fewer than three vertices, no area, or is no simple polygon; the faces before it stay. The changes are
-  /// valid until the next call.
+  /// modified, but share edges and corners with other segments.
+  ///
+  /// A reading that lies on one of them confirms it: it is counted, and makes no segment. It lies on it when
+  /// it was sensed from outside, its projection is inside the perimeter or on it, and it is no farther from
+  /// the plane than a reading may be from that of a polygon with many points: the tolerance, or three
+  /// standard deviations if that is more, and less than λ. A polygon that the reading fits comes before the
+  /// initial segment if it is nearer and at an angle of more than μ to it, as a neighbour near the common
+  /// edge. Readings farther from the plane, or from behind, are modelled like any others: they contradict it.
+  ///
+  /// Throws std::invalid_argument when a face has fewer than three vertices, no area, or is no simple
+  /// polygon; the faces before it stay. The changes are valid until the next call.
   const std::vector<Change>& add_initial(std::span<const InitialFace> faces);
 
   /// Takes in one set of sensor points, the unit of an update (thesis §2.3). Readings that are no point are
@@ -128,8 +139,8 @@ class Model {
 
   /// From now on, remembers which segment each reading went to (eight bytes per reading).
   void keep_labels();
-  /// For each reading since keep_labels(), in order of arrival, the segment it is in now; 0 when it was
-  /// refused or given up.
+  /// For each reading since keep_labels(), in order of arrival, the segment it is in now, or the initial
+  /// segment that it confirms; 0 when it was refused or given up.
   std::vector<SegmentId> labels() const;
 
   /// From now on, measures the time of each stage (a few nanoseconds per point). The model is not affected.

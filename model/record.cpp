@@ -36,6 +36,7 @@ PolygonSegmentRecord polygon_record(const Complex& complex, const Segment& s) {
   r.height = {part.published.h0, part.published.hx, part.published.hy};
   r.initial_centroid = part.initial.point;
   r.initial_normal = part.initial.normal;
+  r.confirmed = part.confirmed;
   for (const auto& cycle : part.perimeter.boundary()) {
     auto& vertices = r.cycles.emplace_back();
     for (const auto& v : cycle)
@@ -70,6 +71,9 @@ void polygon_from(Engine& e, const PolygonSegmentRecord& r) {
   part.published.h0 = r.height[0], part.published.hx = r.height[1], part.published.hy = r.height[2];
   part.outward = part.published.plane(part.chart).normal;
   part.initial = {r.initial_centroid, r.initial_normal};
+  part.confirmed = r.confirmed;
+  if (r.confirmed < 0 || (r.confirmed > 0 && !s.initial()))
+    throw std::invalid_argument("segment " + std::to_string(r.id) + " is confirmed, but not an initial one");
   std::vector<std::vector<geometry::NewVertex>> cycles;
   for (const auto& cycle : r.cycles) {
     auto& vertices = cycles.emplace_back();

@@ -58,6 +58,7 @@ struct PolygonSegmentRecord {
   std::array<double, 3> height{};
   Eigen::Vector3d initial_centroid = Eigen::Vector3d::Zero();
   Eigen::Vector3d initial_normal = Eigen::Vector3d::UnitZ();
+  std::int64_t confirmed = 0;  ///< readings that lie on it; 0 unless it is an initial segment
   /// Boundary cycles, interior on the left: the outer perimeter (anticlockwise) first, then the holes
   /// (clockwise).
   std::vector<std::vector<VertexRecord>> cycles;

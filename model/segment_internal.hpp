@@ -29,6 +29,7 @@ struct PolygonPart {
   HeightMap heights;                                  ///< of its points (rule `relief`); empty while young
   bool stale = false;                    ///< the plane of the fit has moved, but could not be published
   double counted_area = 0;               ///< the part of Complex::modelled_area() that is its own, λ²
+  std::int64_t confirmed = 0;            ///< readings that lie on it; of an initial segment only
   std::uint64_t shape = 0;               ///< version number of the description
   std::vector<geometry::EdgeId> shared;  ///< its edges that are shared with neighbours, ascending
 

@@ -52,4 +52,16 @@ Standing standing(const Setting& setting, const Segment& s, const Eigen::Vector3
   return result;
 }
 
+bool lies_on_initial(const Setting& setting, const Segment& initial, const Eigen::Vector3d& p,
+                     const Eigen::Vector3d& axis, double variance) {
+  const double height = initial.fit.height_of(p), height2 = height * height;
+  // The plane is given, so it has no variance of its own, unlike in residual_limit().
+  const double limit2 = std::max(9 * variance, setting.parameters.tolerance * setting.parameters.tolerance);
+  if (height2 > limit2 || height2 >= setting.lambda2) return false;
+  if (!faces_outside(initial.fit.normal, axis)) return false;
+  const PolygonPart& part = *initial.polygon;
+  return part.perimeter.locate(geometry::round_to_grid(part.chart.project(p))) !=
+         geometry::Polygon::Side::outside;
+}
+
 }  // namespace limpet::model::internal

@@ -69,6 +69,9 @@ std::string to_state(const Engine& e, bool with_labels) {
   writer(ages_that_matter(e), refusals_that_matter(e), Storage::partners(e.complex), labels,
          labels ? e.labels.settled(e.complex.segments()) : std::vector<std::uint64_t>(),
          Storage::successors(e.successors));
+  // Left out where there is nothing to say, as in states that were written before there were any.
+  if (const auto confirmations = Storage::confirmations(e.complex); !confirmations.empty())
+    writer(confirmations);
   writer(digest_of(writer.bytes()));
   return std::move(writer.bytes());
 }
@@ -94,9 +97,12 @@ void StoredState::restore(Engine& e) const {
   bool labels_kept = false;
   reader(Storage::by_age(e.agenda), Storage::refused(e.agenda), partners, labels_kept,
          Storage::labels(e.labels), successors);
+  std::map<SegmentId, std::int64_t> confirmations;
+  if (reader.left() > 0) reader(confirmations);
   if (reader.left() > 0) Reader::refuse("goes on behind its end");
   if (labels_kept) e.labels.keep();
   Storage::list_segments(e.complex, refuse);
+  Storage::set_confirmations(e.complex, confirmations, refuse);
   require_sound(e, successors);
   Storage::pair_edges(e.complex, partners, refuse_edge);
   Storage::set_successors(e.successors, successors);

@@ -26,6 +26,7 @@ void Storage::book_polygon(Complex& complex, Segment& s) {
     complex.edges_.put(s.polygon->perimeter.node(slot).edge, s.slot, slot);
   });
   complex.modelled_points_ += s.count();
+  complex.initial_count_ += s.initial();
   if (!s.initial()) complex.count_area(*s.polygon);
 }
 
@@ -37,6 +38,7 @@ void Storage::list_segments(Complex& complex, void (*refuse)(const char* what)) 
     s->slot = slot;
     if (!table.slot_of_.emplace(s->id.value, slot).second) refuse("has two segments of one identity");
     if (!s->polygon) continue;
+    complex.initial_count_ += s->initial();
     geometry::Polygon& perimeter = s->polygon->perimeter;
     // Between two calls every difference is booked; what is left would be booked with the next one.
     if (!perimeter.take_removed().empty() || !perimeter.take_created().empty())
@@ -89,6 +91,23 @@ std::map<EdgeId, EdgeId> Storage::partners(const Complex& complex) {
     if (place.partner) partners.emplace(edge, place.partner);
   });
   return partners;
+}
+
+std::map<SegmentId, std::int64_t> Storage::confirmations(const Complex& complex) {
+  std::map<SegmentId, std::int64_t> all;
+  complex.segments_.for_each([&](const Segment& s) {
+    if (s.polygon && s.polygon->confirmed > 0) all.emplace(s.id, s.polygon->confirmed);
+  });
+  return all;
+}
+
+void Storage::set_confirmations(Complex& complex, const std::map<SegmentId, std::int64_t>& all,
+                                void (*refuse)(const char* what)) {
+  for (const auto& [id, confirmed] : all) {
+    const Segment* s = complex.find(id);
+    if (!s || !s->initial() || confirmed <= 0) refuse("confirms a segment that is not an initial one");
+    complex.mutable_of(*s).polygon->confirmed = confirmed;
+  }
 }
 
 std::map<SegmentId, SegmentId> Storage::successors(const Successors& successors) {

@@ -80,6 +80,11 @@ struct Storage {
   static void pair_edges(Complex&, const std::map<geometry::EdgeId, geometry::EdgeId>& partners,
                          void (*refuse)(geometry::EdgeId));
   static std::map<geometry::EdgeId, geometry::EdgeId> partners(const Complex&);
+  /// The initial segments that readings lie on, with the number of these.
+  static std::map<SegmentId, std::int64_t> confirmations(const Complex&);
+  /// Calls `refuse`, which throws, for a segment that is not an initial one, and for a number below 1.
+  static void set_confirmations(Complex&, const std::map<SegmentId, std::int64_t>&,
+                                void (*refuse)(const char* what));
   static std::map<SegmentId, SegmentId> successors(const Successors&);
   static void set_successors(Successors&, const std::map<SegmentId, SegmentId>&);
 };

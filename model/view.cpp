@@ -238,6 +238,7 @@ std::optional<View::Segment> View::segment(SegmentId id) const {
   result.box = internal::tight_box(*s);
   result.plane = s->polygon ? s->polygon->plane() : s->fit.plane();
   if (s->polygon) {
+    result.confirmed = s->polygon->confirmed;
     result.edges = s->polygon->perimeter.edge_count();
     result.holes = s->polygon->perimeter.hole_count();
   }

@@ -144,7 +144,8 @@ class View {
     /// A polygon's published plane, its normal facing outside. For a point segment, its centroid and the
     /// normal of its plane of best fit, which may mean nothing.
     geometry::Plane plane;
-    std::int64_t points = 0;  ///< sensor points it represents; 0 if initial
+    std::int64_t points = 0;     ///< sensor points it represents; 0 if initial
+    std::int64_t confirmed = 0;  ///< sensor points that lie on it; 0 unless initial
     std::size_t edges = 0, holes = 0;
     Eigen::AlignedBox3d box;  ///< bounding box up to rounding; may be larger after the perimeter has shrunk
   };

@@ -30,6 +30,12 @@ double thickness(const Parameters& parameters) {
   return t;
 }
 
+int facets(const Parameters& parameters) {
+  const int count = parameters.empty() ? 64 : parameter<int>(parameters[0], 8, 1024);
+  if (count % 4 != 0) throw MeshError("not a multiple of 4: " + parameters[0]);
+  return count;
+}
+
 int boxes(const Parameters& parameters) {
   return parameters.empty() ? 9 : parameter<int>(parameters[0], 1, 100'000);
 }
@@ -103,6 +109,15 @@ const std::vector<Shape>& shapes() {
       plain("open_box", 1, open_box),
       plain("pyramid", 1, pyramid),
       plain("octahedron", 1.224744871391589, octahedron),
+      plain("icosahedron", 0.8660254037844386, make_icosahedron),
+      plain("box", 0.5, make_slab),
+      plain("step", 0.5, make_staircase),
+      plain("notch", 0.5, make_notch),
+      plain("cross", 0.5, make_cross),
+      {"sphere", "sphere:32", 1, [](const Parameters& p) { return make_sphere(facets(p)); },
+       [](const Parameters& p) { return facets(p), 1.0; }},
+      {"drum", "drum:32", 1, [](const Parameters& p) { return make_drum(facets(p)); },
+       [](const Parameters& p) { return facets(p), 0.1875; }},
       {"thin_plate", "thin_plate:0.125", 1,
        [](const Parameters& p) {
          return box({1, 1, thickness(p)});

@@ -8,8 +8,9 @@
 namespace limpet::simulation {
 
 /// Named worlds, whose true faces are known by construction. Lengths are in the scan's unit; all coordinates
-/// are multiples of 1/64 unless a parameter says otherwise. `feature` is the smallest width of a face, or gap
-/// between faces, that a model should show: a linear resolution well below it is needed to see all faces.
+/// are multiples of 1/64 unless a parameter or a round surface says otherwise. `feature` is the smallest
+/// width of a face, or gap between faces, that a model should show: a linear resolution well below it is
+/// needed to see all faces.
 ///
 ///   name            what                                                        faces    feature
 ///   cube            1 × 1 × 1                                                        6    1
@@ -19,15 +20,24 @@ namespace limpet::simulation {
 ///   open_box        cube's outside without the lid: an open sheet                    5    1
 ///   thin_plate:T    1 × 1 × T, 0 < T ≤ 1                                             6    T
 ///   pyramid         square base 1 × 1, height 1                                      5    1
-///   octahedron      corners at distance 1 from the centre                            8    1.2247 (a face's
-///   height) room:SEED       a 12 × 8 × 3 room seen from inside, with boxes on the floor,     about 200 0.25
+///   octahedron      corners at distance 1 from the centre                            8    1.2247
+///   icosahedron     edges of length 1                                               20    0.8660
+///   box             1.5 × 1 × 0.5                                                    6    0.5
+///   step            stairs of three steps, each 0.5 high and deep, 1 wide           10    0.5
+///   notch           1.5 × 1 × 1 with a groove of 0.5 × 0.5 across its top           10    0.5
+///   cross           two bars of 1.5 × 0.5 × 0.5                                     14    0.5
+///   sphere:N        diameter 1; facets between N meridians and N/2 parallels     N·N/2    1
+///   drum:N          a cylinder of N sides on a block of 1 × 1 × 0.375,           N + 7    0.1875
+///                   diameter 0.625, 0.5 high
+///   room:SEED       a 12 × 8 × 3 room seen from inside, with boxes on the floor,     about 200 0.25
 ///                   against the walls and on one another (SEED 1 if left out)
 ///   city:N[:SEED]   N boxes of 0.8 to 1.2 × 0.8 to 1.2, 0.5 to 1.5 high, on a        5N + 1       0.5
 ///                   ground sheet, one in each cell of a grid of pitch 2.125, at
 ///                   least 0.5 apart; the ground is one face with N holes
 ///
 /// All but open_box, room and city are closed. Throws MeshError on a name that is none of these, or a
-/// parameter out of range (N from 1 to 100 000). The same name gives the same mesh on every machine.
+/// parameter out of range (N of a city from 1 to 100 000, of a sphere or drum a multiple of 4 from 8 to 1024,
+/// 64 if left out). The same name gives the same mesh on every machine.
 Mesh make_shape(const std::string& name);
 
 /// The `feature` of a shape. Throws as make_shape does.

@@ -10,6 +10,18 @@ namespace limpet::simulation {
 inline constexpr double kRoomLength = 12, kRoomWidth = 8, kRoomHeight = 3;
 inline constexpr int kRoomColumns = 6, kRoomRows = 4;
 
+// shapes_solids.cpp; shapes.hpp says what they are.
+Mesh make_slab();
+Mesh make_staircase();
+Mesh make_notch();
+Mesh make_cross();
+Mesh make_icosahedron();
+/// Precondition: an even number of meridians, 6 or more.
+Mesh make_sphere(int meridians);
+/// Precondition: a multiple of 4, 8 or more.
+Mesh make_drum(int sides);
+
+// shapes_scattered.cpp
 Mesh make_room(std::uint64_t seed);
 Mesh make_city(int boxes, std::uint64_t seed);
 

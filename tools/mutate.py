@@ -43,6 +43,8 @@ MUTANTS = [
     ("model/moments.cpp", "- c[j] * sum_[i]", "+ c[j] * sum_[i]", "central moments"),
     ("model/standing.cpp", "result.near = result.distance2 < setting.lambda2;", "result.near = true;", "a point nearer than λ to the polygon"),
     ("model/standing.cpp", "axis.dot(s.fit.normal) > 0", "axis.dot(s.fit.normal) > 2", "a thin plate has a back"),
+    ("model/standing.cpp", "if (!faces_outside(initial.fit.normal, axis)) return false;", "", "an initial segment is confirmed from outside"),
+    ("model/insertion.cpp", "if (initial) keep_nearer_crossing(*initial, p, candidates_);", "", "no polygon grows over an initial segment"),
     ("model/merge_polygons.cpp", "if (a.fit.normal.dot(b.fit.normal) <= cos_limit) return false;", "",
      "polygons that merge face the same way"),
     ("model/promotion.cpp", "if (m < 5 || fit.u3 > 4 * v * (m - 3) / m", "if (m < 5", "a polygon's points lie in a plane"),

@@ -10,7 +10,7 @@
 #include "place_memory_internal.hpp"
 #include "space_hash_internal.hpp"
 #include "targets_internal.hpp"
-#include "visited_internal.hpp"
+#include "travel_internal.hpp"
 
 namespace limpet::following {
 namespace {
@@ -19,46 +19,40 @@ using Eigen::Vector3d;
 using internal::Aim;
 using internal::OpenPart;
 using internal::PartState;
+using internal::Ray;
 using internal::Target;
 using model::View;
 
-constexpr double kWithinReach = 3.5;   ///< λ: open edges this near can be aimed at
-constexpr double kOutlook = 5;         ///< λ: what is this near is looked at
-constexpr double kTravelMargin = 1.2;  ///< δ − λ
-constexpr int kStuck = 12;
-constexpr long kOutcomePeriod = 20;  ///< sets
+struct Nothing {};
+
+constexpr double kWithinReach = 3.5;  ///< λ: open edges this near can be aimed at
+constexpr double kOutlook = 5;        ///< λ: what is this near is looked at
+constexpr long kOutcomePeriod = 20;   ///< sets
 
 class FrontierFollower : public Follower {
  public:
   explicit FrontierFollower(const Parameters& p)
-      : Follower(p),
-        open_(p.resolution),
-        memory_(p.resolution),
-        finder_(p, memory_),
-        visited_(p.resolution) {}
+      : Follower(p), open_(p.resolution), memory_(p.resolution), empty_(p.resolution), finder_(p, memory_) {}
 
   Marks marks() const override {
-    return {{}, open_.edges(internal::PartState::unreachable), open_.edges(internal::PartState::unclosable)};
+    return {{}, open_.edges(PartState::unreachable), open_.edges(PartState::unclosable)};
   }
+  std::int64_t outcomes_asked() const override { return outcomes_asked_; }
 
  protected:
   Motion choose(const Observation&) override;
 
  private:
+  void begin(const Observation&);
   void look_at_what_was_read(const Observation&);
-  void find_targets(const Observation&);
-  void note_empty_ground(const Observation&);
+  void note_empty(const std::vector<Ray>&);
+  void look_around(const Observation&);
   void suspect_targets();
-  void close_aim(const Vector3d& here);
+  void close_aim(const Vector3d& here, bool has_moved);
   Motion go_on(const Observation&);
-  Motion travel(const Observation&);
-  void set_leg(const Vector3d& to, double distance);
-  bool is_held_up(const Vector3d& here);
-  std::vector<Vector3d> way_to_what_is_wanted() const;
-  Vector3d bent_off(const View&, const Vector3d& here, const Vector3d& motion) const;
-  Vector3d kept_off(const Observation&, const Vector3d& motion) const;
-  Vector3d way_out(const Observation&) const;
   void give_up_what_is_near();
+  Motion travel(const Observation&, bool has_moved);
+  bool begin_travel(const Observation&);
   void leave_what_would_close(const Observation&);
 
   double lambda() const { return parameters().resolution; }
@@ -68,21 +62,17 @@ class FrontierFollower : public Follower {
 
   internal::OpenEdgeMap open_;
   internal::PlaceMemory memory_;
+  internal::SpaceHash<Nothing> empty_;  ///< where rays met nothing on ground that was expected
   internal::TargetFinder finder_;
-  internal::Visited visited_;
+  std::optional<internal::Travel> travel_;
   std::vector<OpenPart> parts_;
-  internal::Outlook outlook_;
-  internal::SpaceHash<bool> empty_{parameters().resolution};  ///< where ground was expected in vain
   std::vector<View::Nearest> points_;
+  internal::Outlook outlook_;
+  std::optional<internal::ExpectedPlanes> planes_;  ///< of the outlook
   std::optional<Aim> aim_;
-  std::vector<Vector3d> way_;  ///< of a travel, the next place last
   Vector3d before_ = Vector3d::Zero();
   long sets_ = 0, asked_ = -1;  ///< sets so far, and when it was last asked what would close
-  int stuck_ = 0;               ///< how often travels have been stopped since the last one that arrived
-  Vector3d leg_to_ = Vector3d::Zero();  ///< the next place of a travel
-  double leg_distance_ = 0;             ///< the nearest that it has come to it
-  int leg_idle_ = 0;                    ///< steps since then
-  bool travels_ = false, has_not_moved_ = false;
+  std::int64_t outcomes_asked_ = 0;
 };
 
 /// The distance up to which the ray of a sensor is known to be free.
@@ -96,41 +86,41 @@ double free_range(const kinematics::Posture::Sensor& sensor, std::span<const mod
   return sensor.range;
 }
 
-/// Remembers the targets that rays have gone through without meeting anything.
+/// What of each sensor's ray is known to be free, but for the last bit: a surface a little before the one that
+/// is expected is the same.
+std::vector<Ray> free_rays(const Observation& seen, double last_bit) {
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i) {
+    const auto sensor = seen.posture.sensor(i);
+    rays.push_back({sensor.position, sensor.axis, free_range(sensor, seen.readings) - last_bit});
+  }
+  return rays;
+}
+
+/// Remembers where surface was expected and rays met nothing.
 void FrontierFollower::look_at_what_was_read(const Observation& seen) {
-  constexpr double kNear = 0.4, kBeyond = 0.6, kGrazing = 0.25;
-  std::vector<bool> empty(outlook_.targets.size());
-  for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i) {
-    const auto sensor = seen.posture.sensor(i);
-    const double free = free_range(sensor, seen.readings);
-    for (std::size_t k = 0; k < outlook_.targets.size(); ++k) {
-      const Target& target = outlook_.targets[k];
-      const double fall = -sensor.axis.dot(target.normal);
-      if (empty[k] || fall < kGrazing) continue;
-      const double crosses = (sensor.position - target.at).dot(target.normal) / fall;
-      if (crosses < 0 || crosses + kBeyond * lambda() > free) continue;
-      const Vector3d off = sensor.position + crosses * sensor.axis - target.at;
-      if (off.squaredNorm() < kNear * kNear * lambda() * lambda()) empty[k] = true;
-    }
-  }
-  for (std::size_t k = 0; k < outlook_.targets.size(); ++k)
-    if (empty[k]) memory_.note_empty(outlook_.targets[k].at, outlook_.targets[k].normal);
+  constexpr double kSurface = 0.6;  // λ
+  if (planes_) note_empty(free_rays(seen, kSurface * lambda()));
 }
 
-/// Remembers where rays met nothing on ground that was expected.
-void FrontierFollower::note_empty_ground(const Observation& seen) {
-  if (outlook_.borders.empty()) return;
-  internal::AimChooser chooser(parameters(), seen.posture, step(seen));
-  for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i) {
-    const auto sensor = seen.posture.sensor(i);
-    const double free = free_range(sensor, seen.readings);
-    for (const Vector3d& place : chooser.expected_along(i, outlook_, free - 0.6 * lambda()))
-      if (!empty_.any_within(place, 0.4 * lambda(), [](const Vector3d&, bool) { return true; }))
-        empty_.put(place, true);
+void FrontierFollower::note_empty(const std::vector<Ray>& rays) {
+  constexpr double kNear = 0.4, kLeastCosine = 0.25;
+  for (const Target& target : outlook_.targets) {
+    const auto goes_through = [&](const Ray& ray) {
+      const auto crosses = internal::crossing(ray, target.normal, target.normal.dot(target.at), kLeastCosine);
+      return crosses && (*crosses - target.at).squaredNorm() < kNear * kNear * lambda() * lambda();
+    };
+    if (std::any_of(rays.begin(), rays.end(), goes_through)) memory_.note_empty(target.at, target.normal);
   }
+  std::vector<Vector3d> places;
+  for (const Ray& ray : rays) planes_->add_new_ground(ray, kLeastCosine, places);
+  for (const Vector3d& place : places)
+    if (!empty_.any_within(place, kNear * lambda(), [](const Vector3d&, Nothing) { return true; }))
+      empty_.put(place, {});
 }
 
-void FrontierFollower::find_targets(const Observation& seen) {
+/// Finds what is known near the control point, and expected.
+void FrontierFollower::look_around(const Observation& seen) {
   const View view = seen.model.view();
   const Vector3d here = seen.posture.control_point();
   outlook_.clear();
@@ -140,10 +130,10 @@ void FrontierFollower::find_targets(const Observation& seen) {
   view.nearest(here, kOutlook * lambda(), points_, {.polygons = false, .initial = false});
   for (const View::Nearest& point : points_) outlook_.points.push_back(point.at);
   empty_.for_each_within(here, kOutlook * lambda(),
-                         [&](const Vector3d& place, bool) { outlook_.empty.push_back(place); });
-  if (!outlook_.targets.empty()) return;
-  const auto point = view.nearest(here, parameters().sensing_range, {.polygons = false, .initial = false});
-  if (point) finder_.add_around_point(view, point->at, here, outlook_.targets);
+                         [&](const Vector3d& place, Nothing) { outlook_.empty.push_back(place); });
+  if (outlook_.targets.empty() && !points_.empty() && points_.front().distance < parameters().sensing_range)
+    finder_.add_around_point(view, points_.front().at, here, outlook_.targets);
+  planes_.emplace(lambda(), outlook_);
 }
 
 /// The model stops short of edges that are not felt yet, and targets are where the surface may go on.
@@ -155,7 +145,7 @@ void FrontierFollower::suspect_targets() {
 }
 
 /// Drops an aim that has been reached, or that cannot be.
-void FrontierFollower::close_aim(const Vector3d& here) {
+void FrontierFollower::close_aim(const Vector3d& here, bool has_moved) {
   if (!aim_) return;
   const Target aimed = aim_->target;
   const bool has_arrived = (here - aim_->place).norm() < 0.05 * lambda();
@@ -164,19 +154,18 @@ void FrontierFollower::close_aim(const Vector3d& here) {
   });
   if (still && has_arrived)
     memory_.note_failed(aimed.at, aimed.normal);
-  else if (still && has_not_moved_)
+  else if (still && !has_moved)
     memory_.note_blocked(aimed.at, aimed.normal);
   aim_.reset();
 }
 
 /// The next step to the best aim near by.
 Motion FrontierFollower::go_on(const Observation& seen) {
-  const Vector3d here = seen.posture.control_point();
   internal::AimChooser chooser(parameters(), seen.posture, step(seen));
-  aim_ = chooser.choose(seen.model.view(), clearance(), outlook_);
+  aim_ = chooser.choose(seen.model.view(), clearance(), outlook_.targets, *planes_);
   if (!aim_) return {};
   memory_.note_aimed(aim_->target.at, aim_->target.normal);
-  return {aim_->place - here, Mode::extend};
+  return {aim_->place - seen.posture.control_point(), Mode::extend};
 }
 
 /// From here nothing can be aimed at: all targets near are blocked, for now.
@@ -186,102 +175,46 @@ void FrontierFollower::give_up_what_is_near() {
 
 void FrontierFollower::leave_what_would_close(const Observation& seen) {
   open_.note(seen.model.would_finish());
+  ++outcomes_asked_;
   asked_ = sets_;
 }
 
-/// A motion that goes straight, if that is safe, or else along the surface that is in the way, and off it;
-/// where it is too narrow to be safe, one of the two that is clear; and else the way out.
-Vector3d FrontierFollower::kept_off(const Observation& seen, const Vector3d& motion) const {
-  const View view = seen.model.view();
-  const Vector3d here = seen.posture.control_point();
-  const Vector3d bent = bent_off(view, here, motion);
-  for (const Vector3d& way : {motion, bent})
-    if (clearance().is_safe(view, here, here + way, kTravelMargin * clearance().least())) return way;
-  for (const Vector3d& way : {motion, bent})
-    if (clearance().is_clear(view, here, here + way)) return way;
-  return way_out(seen);
-}
-
-/// The clear step that leads farthest from what is near.
-Vector3d FrontierFollower::way_out(const Observation& seen) const {
-  const View view = seen.model.view();
-  const Vector3d here = seen.posture.control_point();
-  const double reach = 2 * clearance().least();
-  Vector3d best = Vector3d::Zero();
-  double farthest = clearance().at(view, here, reach);
-  for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i)
-    for (const double length : {step(seen), step(seen) / 4}) {
-      const Vector3d way = length * seen.posture.sensor(i).axis;
-      if (!clearance().is_clear(view, here, here + way)) continue;
-      const double distance = clearance().at(view, here + way, reach);
-      if (distance > farthest) best = way, farthest = distance;
-    }
-  return best;
-}
-
-/// Without what leads towards the nearest surface, and away from it where it is near.
-Vector3d FrontierFollower::bent_off(const View& view, const Vector3d& here, const Vector3d& motion) const {
-  const double wanted = 1.5 * clearance().least();
-  const auto nearest = view.nearest(here, 2 * wanted);
-  if (!nearest || nearest->distance == 0) return motion;
-  const Vector3d away = (here - nearest->at) / nearest->distance;
-  const Vector3d along = motion - std::min(0.0, motion.dot(away)) * away;
-  return along + std::max(0.0, wanted - nearest->distance) * away;
-}
-
-std::vector<Vector3d> FrontierFollower::way_to_what_is_wanted() const {
-  return visited_.way_to(
-      [&](const Vector3d& place) { return open_.any_wanted(place, kWithinReach * lambda()); });
-}
-
-/// Notes where a travel goes next, and how near to it the control point is.
-void FrontierFollower::set_leg(const Vector3d& to, double distance) {
-  if (leg_to_ != to) leg_to_ = to, leg_distance_ = distance, leg_idle_ = 0;
-}
-
-/// Does the control point come no nearer to the next place of a travel? What bends a motion off the surface
-/// can lead it back and forth.
-bool FrontierFollower::is_held_up(const Vector3d& here) {
-  constexpr int kPatience = 4;  // steps
-  const double distance = (way_.back() - here).norm();
-  if (leg_to_ == way_.back() && distance > leg_distance_ - 0.1 * lambda())
-    ++leg_idle_;
-  else
-    leg_distance_ = distance, leg_idle_ = 0;
-  return has_not_moved_ || leg_idle_ >= kPatience;
-}
-
-Motion FrontierFollower::travel(const Observation& seen) {
-  const Vector3d here = seen.posture.control_point();
-  if (!way_.empty() && travels_ && is_held_up(here)) {
-    visited_.block(way_.back());
-    if (++stuck_ >= kStuck) {
-      open_.give_up(way_.front(), kWithinReach * lambda());
-      stuck_ = 0;
-    }
-    way_.clear();
+/// The last resorts are an edge of an initial segment, which may be far from every visited place (what was
+/// felt is always near one), and what seems to be known.
+bool FrontierFollower::begin_travel(const Observation& seen) {
+  const auto wanted = [&](const Vector3d& place) { return open_.any_wanted(place, kWithinReach * lambda()); };
+  if (sets_ - asked_ >= kOutcomePeriod / 2) leave_what_would_close(seen);
+  if (travel_->begin(wanted)) return true;
+  if (sets_ != asked_) {
+    leave_what_would_close(seen);
+    if (travel_->begin(wanted)) return true;
   }
-  travels_ = true;
-  if (way_.empty()) {
-    if (sets_ - asked_ >= kOutcomePeriod / 2) leave_what_would_close(seen);
-    way_ = way_to_what_is_wanted();
-    if (way_.empty() && sets_ != asked_) leave_what_would_close(seen);
-    if (way_.empty()) way_ = way_to_what_is_wanted();
-    if (way_.empty() && open_.insist()) way_ = way_to_what_is_wanted();
-    if (way_.empty()) return {Vector3d::Zero(), Mode::travel, End::complete};
-    std::reverse(way_.begin(), way_.end());
+  if (const auto given = open_.nearest_wanted_of_initial(seen.posture.control_point(), seen.model.view())) {
+    travel_->begin(*given);
+    return true;
   }
-  if (way_.size() > 1 && (way_.back() - here).norm() < 0.1 * lambda()) way_.pop_back();
-  // Straight to the farthest place of the way that is in sight.
+  return open_.insist() && travel_->begin(wanted);
+}
+
+Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
+  const Vector3d here = seen.posture.control_point();
+  if (travel_->is_under_way()) {
+    const auto progress = travel_->look(here, has_moved);
+    if (progress == internal::Travel::Progress::hopeless)
+      open_.give_up(travel_->goal(), kWithinReach * lambda());
+    if (progress != internal::Travel::Progress::good) travel_->stop();
+  }
+  if (!travel_->is_under_way() && !begin_travel(seen))
+    return {Vector3d::Zero(), Mode::travel, End::complete};
   const View view = seen.model.view();
-  for (int looked = 0; looked < 4 && way_.size() > 1; ++looked) {
-    if (!clearance().is_safe(view, here, way_[way_.size() - 2], kTravelMargin * clearance().least())) break;
-    way_.pop_back();
-  }
-  const Vector3d motion = way_.back() - here;
-  set_leg(way_.back(), motion.norm());
-  if (motion.norm() < step(seen) + 1e-6 * lambda()) way_.pop_back();
-  return {kept_off(seen, motion.normalized() * std::min(motion.norm(), step(seen))), Mode::travel};
+  const internal::Steering steering(view, clearance(), seen.posture, step(seen));
+  return {travel_->next(steering, here), Mode::travel};
+}
+
+void FrontierFollower::begin(const Observation& seen) {
+  open_.read(seen.model.view());
+  travel_.emplace(lambda(), step(seen));
+  before_ = seen.posture.control_point();
 }
 
 Motion FrontierFollower::choose(const Observation& seen) {
@@ -289,30 +222,25 @@ Motion FrontierFollower::choose(const Observation& seen) {
   const Vector3d here = seen.posture.control_point();
   if (sets_ == 0 && seen.readings.empty()) return {Vector3d::Zero(), Mode::none, End::no_surface};
   if (sets_ == 0)
-    open_.read(view);
+    begin(seen);
   else
     open_.apply(seen.changes, view);
   if (++sets_ % kOutcomePeriod == 0) leave_what_would_close(seen);
-  visited_.arrive(view, clearance(), here);
-  look_at_what_was_read(seen);
-  note_empty_ground(seen);
-  find_targets(seen);
-  suspect_targets();
-  has_not_moved_ = (here - before_).norm() < 1e-3 * lambda();
+  const bool has_moved = (here - before_).norm() >= 1e-3 * lambda();
   before_ = here;
-  close_aim(here);
-  Motion motion;
+  travel_->arrive(view, clearance(), here);
+  look_at_what_was_read(seen);
+  look_around(seen);
+  suspect_targets();
+  close_aim(here, has_moved);
   if (!outlook_.targets.empty()) {
-    motion = go_on(seen);
-    if (motion.mode == Mode::none && way_.empty()) give_up_what_is_near();
+    if (const Motion motion = go_on(seen); motion.mode != Mode::none) {
+      travel_->arrived();
+      return motion;
+    }
+    if (!travel_->is_under_way()) give_up_what_is_near();
   }
-  if (motion.mode != Mode::none) {
-    way_.clear();
-    stuck_ = 0;
-    travels_ = false;
-    return motion;
-  }
-  return travel(seen);
+  return travel(seen, has_moved);
 }
 
 }  // namespace

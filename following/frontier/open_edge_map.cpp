@@ -123,6 +123,22 @@ void OpenEdgeMap::give_up(const Vector3d& p, double reach) {
   });
 }
 
+std::optional<Vector3d> OpenEdgeMap::nearest_wanted_of_initial(const Vector3d& p, const View& view) const {
+  std::optional<Vector3d> best;
+  std::tuple<double, std::uint64_t, std::uint32_t> least;  // ties do not depend on the order of the map
+  for (const auto& [id, entry] : edges_) {
+    const auto edge = entry.closes ? std::nullopt : view.edge({id});
+    if (!edge || view.segment(edge->segment)->kind != View::Kind::initial) continue;
+    for (std::uint32_t i = 0; i < entry.parts.size(); ++i) {
+      if (entry.parts[i] != PartState::wanted) continue;
+      const Vector3d middle = entry.part(i).middle();
+      const std::tuple distance{(middle - p).norm(), id, i};
+      if (!best || distance < least) best = middle, least = distance;
+    }
+  }
+  return best;
+}
+
 std::vector<EdgeId> OpenEdgeMap::edges(PartState state) const {
   std::vector<EdgeId> result;
   for (const auto& [id, entry] : edges_)

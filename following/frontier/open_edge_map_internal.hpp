@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -55,6 +56,10 @@ class OpenEdgeMap {
   bool insist();
   /// The parts within `reach` of p that are wanted become unreachable.
   void give_up(const Eigen::Vector3d& p, double reach);
+  /// The middle of the part of an initial segment's edge that is wanted and nearest to p; none: there is no
+  /// such part. It may be far from where anything was felt. Takes time for all open edges.
+  std::optional<Eigen::Vector3d> nearest_wanted_of_initial(const Eigen::Vector3d& p,
+                                                           const model::View&) const;
   /// Is there a part within `reach` of p that is wanted?
   bool any_wanted(const Eigen::Vector3d& p, double reach) const;
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 namespace limpet::following::internal {
 namespace {
@@ -12,8 +11,6 @@ using Eigen::Vector3d;
 using model::View;
 
 constexpr double kFirst = 0.85;                         ///< λ outside an open edge
-constexpr std::array<double, 2> kFarther = {1.5, 2.4};  ///< λ
-constexpr std::array<double, 2> kFartherWeight = {0.25, 0.1};
 
 /// Rotations about an open edge, towards the inside.
 struct Fold {
@@ -95,11 +92,6 @@ PartState TargetFinder::add_targets(const View& view, const OpenPart& part, Bord
   if (tries.is_given_up()) return tries.is_blocked() ? PartState::unreachable : PartState::unclosable;
   border.goes_on = true;
   outlook.targets.push_back({first, normal, 1});
-  for (std::size_t i = 0; i < (getenv("NOFAR")?0:kFarther.size()); ++i) {
-    const Vector3d at = middle + kFarther[i] * lambda_ * border.outward;
-    if (!is_open(at, normal) || is_cut_off(view, part, normal, at)) break;
-    outlook.targets.push_back({at, normal, kFartherWeight[i]});
-  }
   return PartState::wanted;
 }
 

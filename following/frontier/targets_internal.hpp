@@ -11,8 +11,8 @@
 
 namespace limpet::following::internal {
 
-/// Finds targets: places 0.85, 1.5 and 2.4 λ outside an open edge, on its polygon's plane, up to where
-/// another polygon's plane cuts it off. Where rays have found the plane to end, the surface is expected
+/// Finds targets: places 0.85 λ outside an open edge, on its polygon's plane, unless another polygon's plane
+/// cuts them off. Where rays have found the plane to end, the surface is expected
 /// folded round the edge, by 45, 90 and then 135 degrees.
 class TargetFinder {
  public:

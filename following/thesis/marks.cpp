@@ -32,6 +32,7 @@ bool Completeness::ask_what_would_close(const model::Model& model, bool surely) 
   for (const model::Outcome::Edge& edge : outcome.edges)
     if (edge.closes) closing_.insert(edge.edge);
   steps_ = 0;
+  ++asked_;
   // The answer takes longer the larger the model is.
   constexpr std::int64_t kEdgesPerStep = 10;
   patience_ = static_cast<int>(std::max<std::int64_t>(kLeastPatience, model.counts().edges / kEdgesPerStep));

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
 
@@ -43,11 +44,14 @@ class Completeness {
   bool is_unreachable(model::SegmentId id) const { return unreachable_segments_.count(id) > 0; }
 
   Marks marks() const;
+  /// How often the model was asked.
+  std::int64_t outcomes_asked() const { return asked_; }
 
  private:
   std::set<geometry::EdgeId> unreachable_edges_, unclosable_edges_, edges_tried_again_;
   std::set<geometry::EdgeId> closing_;  ///< finishing would close them
   std::set<model::SegmentId> unreachable_segments_, segments_tried_again_;
+  std::int64_t asked_ = 0;
   int steps_ = 0;  ///< since the model was asked
   static constexpr int kLeastPatience = 100;
   int patience_ = kLeastPatience;  ///< steps before it is asked again

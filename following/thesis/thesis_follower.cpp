@@ -45,6 +45,7 @@ class ThesisFollower final : public Follower {
   explicit ThesisFollower(const Parameters& p) : Follower(p), pursuit_(p), surface_(p) {}
 
   Marks marks() const override { return pursuit_.completeness.marks(); }
+  std::int64_t outcomes_asked() const override { return pursuit_.completeness.outcomes_asked(); }
 
  protected:
   Motion choose(const Observation& seen) override {

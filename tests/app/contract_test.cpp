@@ -30,10 +30,26 @@ TEST_F(Contract, SummaryHasItsKeys) {
                            "--check-every", "40", "--seed", "3"});
   ASSERT_EQ(result.code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
-  for (const std::string key :
-       {"points", "points_loose", "points_refused", "points_expired", "sets", "segments", "polygons", "holes",
-        "shared_edges", "open_edges", "open_because", "corner_vertices", "closed", "seconds",
-        "points_per_second", "peak_memory_bytes", "violations", "resolution", "noise"}) {
+  for (const std::string key : {"points",
+                                "points_loose",
+                                "points_refused",
+                                "points_expired",
+                                "points_confirmed",
+                                "sets",
+                                "segments",
+                                "polygons",
+                                "holes",
+                                "shared_edges",
+                                "open_edges",
+                                "open_because",
+                                "corner_vertices",
+                                "closed",
+                                "seconds",
+                                "points_per_second",
+                                "peak_memory_bytes",
+                                "violations",
+                                "resolution",
+                                "noise"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(json["violations"], 0);

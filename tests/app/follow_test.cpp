@@ -23,6 +23,7 @@ TEST_F(Follow, ACubeIsClosed) {
   const auto json = nlohmann::json::parse(result.out);
   for (const std::string key : {"sets",
                                 "readings",
+                                "points_confirmed",
                                 "ended",
                                 "closed",
                                 "polygons",
@@ -59,6 +60,25 @@ TEST_F(Follow, ACubeIsClosed) {
   EXPECT_TRUE(exists("cube.off"));
   EXPECT_EQ(run({"check", path("m.limpet")}).code, 0);
   EXPECT_EQ(run({"compare", path("m.limpet"), "cube", "--max-distance", "0.01", "--faces", "exact"}).code, 0);
+}
+
+/// As in thesis §4.3, and from before a known face.
+TEST_F(Follow, ACubeThreeFacesOfWhichAreKnownIsClosedByTheOthers) {
+  write("known.toml", "[world]\nshape = \"cube\"\n[initial]\nfaces = [0, 1, 2]\n");
+  for (const std::string strategy : {"frontier", "thesis"})
+    for (const std::string seed : {"2", "4"}) {
+      const auto result = follow({path("known.toml"), "--strategy", strategy, "--seed", seed, "--json", "-",
+                                  "--record", path("a.run")});
+      ASSERT_EQ(result.code, 0) << result.err;
+      const auto json = nlohmann::json::parse(result.out);
+      EXPECT_EQ(json["closed"], true);
+      EXPECT_EQ(json["polygons"], 6);
+      EXPECT_EQ(json["isomorphic"], true);
+      EXPECT_GT(json["points_confirmed"], 0);
+      EXPECT_EQ(run({"check", path("m.limpet")}).code, 0);
+      EXPECT_EQ(run({"follow", "--replay", path("a.run"), "-q", "-o", path("again.limpet")}).code, 0);
+      EXPECT_EQ(read(path("again.limpet")), read(path("m.limpet")));
+    }
 }
 
 TEST_F(Follow, TheStrategiesHaveModesOfTheirOwn) {

@@ -31,6 +31,7 @@ TEST(Document, HoldsEveryField) {
       "raw 1\n-4 5 6 0 0 -1 2\n"
       "polygon 4 0 0 0 0 0 0 0 0 0 -170141183460469231731687303715884105728 .5 1.5 2.5\n"
       "chart 1 2 3 4 5 6 7 8 9 10 11 12\nheight 13 14 15\ninitial 16 17 18 19 20 21\n"
+      "confirmed 22\n"
       "cycles 1\ncycle 2\n1 -2 3 0\n1e3 4 5 6\nraw 0\nend\n");
   EXPECT_EQ(document.resolution, 0.5);
   EXPECT_EQ(document.angle, 0.125);
@@ -69,6 +70,7 @@ TEST(Document, HoldsEveryField) {
   EXPECT_EQ(polygon.hx, 14);
   EXPECT_EQ(polygon.hy, 15);
   EXPECT_EQ(polygon.initial_centroid, (Vector{16, 17, 18}));
+  EXPECT_EQ(polygon.confirmed, 22u);
   EXPECT_EQ(polygon.initial_normal, (Vector{19, 20, 21}));
   ASSERT_EQ(polygon.cycles.size(), 1u);
   ASSERT_EQ(polygon.cycles[0].size(), 2u);

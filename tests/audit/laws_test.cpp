@@ -59,6 +59,7 @@ std::vector<LawCase> header_cases() {
       {"segment-count", "polygon segments", [](Document& d) { --d.declared_polygons; }},
       {"point-count", "one lost", [](Document& d) { ++d.points; }},
       {"point-count", "one too many", [](Document& d) { ++d.expired; }},
+      {"confirmed", "a polygon with data", [](Document& d) { ++d.points, ++plate(d).confirmed; }},
   };
 }
 

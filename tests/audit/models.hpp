@@ -253,7 +253,9 @@ inline std::string text_of(const Document& document) {
     out << "chart" << vector_text(polygon.origin) << vector_text(polygon.u) << vector_text(polygon.v)
         << vector_text(polygon.n) << "\nheight " << real_text(polygon.h0) << ' ' << real_text(polygon.hx)
         << ' ' << real_text(polygon.hy) << "\ninitial" << vector_text(polygon.initial_centroid)
-        << vector_text(polygon.initial_normal) << "\ncycles " << polygon.cycles.size() << '\n';
+        << vector_text(polygon.initial_normal);
+    if (polygon.confirmed > 0) out << "\nconfirmed " << polygon.confirmed;
+    out << "\ncycles " << polygon.cycles.size() << '\n';
     for (const Cycle& cycle : polygon.cycles) {
       out << "cycle " << cycle.size() << '\n';
       for (const Vertex& p : cycle)

@@ -22,12 +22,13 @@ class FrontierRun : public testing::TestWithParam<Case> {};
 TEST_P(FrontierRun, EndsByItselfWithAClosedModelAndKeepsItsDistance) {
   const auto [world, noise, area, faces] = GetParam();
   RunOptions options;
+  options.shape = world;
   options.noise = noise;
   options.strategy = Strategy::frontier;
   const Parameters parameters = usual_parameters(options.resolution);
-  const RunResult run = run_following(make_world_mesh(world), options);
+  const RunResult run = run_following(options);
   EXPECT_EQ(run.end, End::complete);
-  EXPECT_TRUE(run.closed) << run.open_edges << " open edges";
+  EXPECT_TRUE(run.closed()) << run.open_edges << " open edges";
   EXPECT_EQ(run.polygons, faces);
   EXPECT_LT(run.encroachment, 1e-9);
   EXPECT_GT(run.clearance, 0.7 * parameters.clearance());

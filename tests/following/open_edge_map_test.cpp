@@ -20,11 +20,12 @@ std::set<std::uint64_t> edges_in(OpenEdgeMap& map, const model::View& view) {
 
 TEST(OpenEdgeMap, KeptByTheChangesItHoldsTheOpenEdgesOfTheModel) {
   RunOptions options;
+  options.shape = "L";
   options.noise = 0.002;
   options.most_sets = 500;
   options.strategy = Strategy::frontier;
   OpenEdgeMap map(options.resolution);
-  run_following(make_world_mesh("L"), options, [&](const Observation& seen, const Motion&) {
+  run_following(options, [&](const Observation& seen, const Motion&) {
     const model::View view = seen.model.view();
     map.apply(seen.changes, view);
     std::vector<model::View::Edge> open;

@@ -5,48 +5,45 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include <limpet/following/follower.hpp>
 #include <limpet/model/model.hpp>
-#include <limpet/simulation/mesh.hpp>
 
 namespace limpet::following {
 
-/// A point robot that follows a mesh.
+/// A point robot that follows a shape (simulation/shapes.hpp), as `limpet follow` has it.
 struct RunOptions {
+  std::string shape = "cube";
   double resolution = 0.05;
   double noise = 0;  ///< standard deviation of a reading along its axis
   Strategy strategy = Strategy::thesis;
   std::uint64_t seed = 1;  ///< of the start, the heading and the noise
   int most_sets = 60000;
+  std::vector<int> known;  ///< faces of the mesh that are given as initial model segments
 };
 
 struct RunResult {
   End end = End::none;  ///< none: it did not end by itself
   int sets = 0;
-  double path = 0;      ///< way of the control point
-  bool closed = false;  ///< no open edge after Model::finish()
   std::int64_t polygons = 0;
-  std::int64_t open_edges = 0;
-  double clearance = 0;        ///< smallest distance of the control point's way from the mesh
-  double model_clearance = 0;  ///< smallest distance of a motion from the model that it was chosen by
+  std::int64_t open_edges = 0;  ///< after Model::finish()
+  std::int64_t confirmed = 0;   ///< readings on known faces
+  double clearance = 0;         ///< smallest distance of the control point's way from the mesh
+  /// Smallest distance of a motion from the model that it was chosen by.
+  double model_clearance = std::numeric_limits<double>::infinity();
   /// By how much a motion came nearer to that model than δ − λ, or than its start if this was nearer already;
   /// the largest.
   double encroachment = 0;
-  std::array<int, 8> sets_by_mode{};
+  std::array<std::int64_t, kModeCount> sets_by_mode{};
   std::vector<Eigen::Vector3d> places;  ///< of the control point, at each set
-  std::vector<double> step_us;          ///< time of each next(), microseconds
-  Marks marks;
+
+  bool closed() const { return polygons > 0 && open_edges == 0; }
 };
 
-/// The worlds of the measurements: cube, box, L, step, notch, cross, icosahedron, octahedron; else a name of
-/// simulation/shapes.hpp.
-simulation::Mesh make_world_mesh(const std::string& name);
-const std::vector<std::string>& world_names();
-
-RunResult run_following(const simulation::Mesh&, const RunOptions&,
+RunResult run_following(const RunOptions&,
                         const std::function<void(const Observation&, const Motion&)>& watch = {});
 
 /// The last motion of a follower that is told the same readings at the same place, (0, 0, 0.1), for up to

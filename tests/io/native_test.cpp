@@ -122,7 +122,7 @@ TEST_F(NativeTest, EveryFieldComesBack) {
 
 TEST_F(NativeTest, LinesThatAreLeftOutWhereTheyAreUsualComeBack) {
   model::ModelRecord in = rich_model();
-  for (const char* word : {"\nquantum ", "\npatience ", "\nneighbours ", "\nredundant "}) {
+  for (const char* word : {"\nquantum ", "\npatience ", "\nneighbours ", "\nredundant ", "\nconfirmed "}) {
     EXPECT_EQ(text_of(in).find(word), std::string::npos) << word;
   }
   in.parameters.input_quantum = 0.001;
@@ -132,6 +132,7 @@ TEST_F(NativeTest, LinesThatAreLeftOutWhereTheyAreUsualComeBack) {
   in.parameters.redundancy_ratio = 0.2;
   in.redundant_by_count = 3;
   in.redundant_by_position = 4;
+  in.polygon_segments[0].confirmed = 5;
   const model::ModelRecord out = model_of(text_of(in));
   EXPECT_NE(text_of(in).find("\nquantum 0.001\npatience 5000\nneighbours 0 80 0.2\ngrid "),
             std::string::npos);
@@ -142,6 +143,7 @@ TEST_F(NativeTest, LinesThatAreLeftOutWhereTheyAreUsualComeBack) {
   EXPECT_EQ(out.parameters.redundancy_ratio, in.parameters.redundancy_ratio);
   EXPECT_EQ(out.redundant_by_count, in.redundant_by_count);
   EXPECT_EQ(out.redundant_by_position, in.redundant_by_position);
+  EXPECT_EQ(out.polygon_segments[0].confirmed, 5);
   EXPECT_EQ(text_of(out), text_of(in));
 }
 

@@ -81,16 +81,19 @@ TEST_P(InitialSegments, ArePlanesThatStayAndRepresentNothing) {
   EXPECT_EQ(bytes(Model(after).record()), bytes(after)) << "and are read again as what they are";
 }
 
-/// Points on a face that is known make a segment of their own: with no data to merge, nothing can tell.
-TEST_P(InitialSegments, DoNotMergeWithWhatIsFelt) {
+TEST_P(InitialSegments, AreConfirmedByWhatIsFeltOnThem) {
   const JudgedScan scan = one_sided(GetParam());
   std::vector<InitialFace> all;
   for (const auto& face : simulation::faces_of(scan.truth)) all.push_back({face.loops});
   const ModelRecord record = modelled_with(scan, all).record();
   EXPECT_EQ(broken_laws(record), "");
   EXPECT_EQ(std::count_if(record.polygon_segments.begin(), record.polygon_segments.end(), represents_points),
-            3);
-  EXPECT_EQ(record.polygon_segments.size(), 9u);
+            0);
+  EXPECT_EQ(record.polygon_segments.size(), 6u);
+  std::int64_t confirmed = 0;
+  for (const auto& s : record.polygon_segments) confirmed += s.confirmed;
+  EXPECT_GT(confirmed, record.points * 98 / 100)
+      << "the noise puts some beyond an edge, or three of its deviations off";
 }
 
 INSTANTIATE_TEST_SUITE_P(Orders, InitialSegments, ::testing::Values(Order::raster, Order::shuffled),

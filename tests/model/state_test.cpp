@@ -134,10 +134,13 @@ TEST(State, OfInitialFacesIsGoneOnFromToTheBit) {
   twins.add_initial({&ground, 1});
   Points wall = plate(random, 3'000, 0, 0, 2, 1);
   for (auto& p : wall) p = {{p.position.x(), 0, p.position.y()}, {0, -1, 0}};
+  for (const auto& p : plate(random, 1'000, 0, 0, 2, 2)) wall.push_back(p);
+  shuffle(wall, random);
   for (const Points& set : in_sets(wall, 60)) twins.update(set);
   twins.finish();
   twins.expect_same_answers();
   EXPECT_GT(twins.kept().counts().shared_edges, 0);
+  EXPECT_GT(twins.kept().counts().confirmed, 900);
 }
 
 TEST(State, IsTheSameForTheSameModel) {

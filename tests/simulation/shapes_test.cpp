@@ -48,7 +48,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Expected{"step_hole", 12, 2, 9.25, true, 0}, Expected{"plate3", 18, 6, 8, true, -4},
                     Expected{"open_box", 5, 0, 5, false, 1}, Expected{"thin_plate:0.02", 6, 0, 2.08, true, 2},
                     Expected{"pyramid", 5, 0, 1 + std::sqrt(5.0), true, 2},
-                    Expected{"octahedron", 8, 0, 4 * std::sqrt(3.0), true, 2}),
+                    Expected{"octahedron", 8, 0, 4 * std::sqrt(3.0), true, 2},
+                    Expected{"icosahedron", 20, 0, 5 * std::sqrt(3.0), true, 2},
+                    Expected{"box", 6, 0, 5.5, true, 2}, Expected{"step", 10, 0, 9, true, 2},
+                    Expected{"notch", 10, 0, 8.5, true, 2}, Expected{"cross", 14, 0, 5.5, true, 2},
+                    Expected{"sphere:8", 32, 0, 2.753359769, true, 2},
+                    Expected{"drum:8", 15, 1, 4.456708581, true, 2}),
     [](const auto& tested) { return "shape" + std::to_string(tested.index); });
 
 TEST(Shapes, NormalsPointOutOfTheSolid) {
@@ -58,11 +63,13 @@ TEST(Shapes, NormalsPointOutOfTheSolid) {
   EXPECT_NEAR(signed_volume(make_shape("plate3")), 0.25 * (3 - 0.75), 1e-12);
   EXPECT_NEAR(signed_volume(make_shape("pyramid")), 1.0 / 3, 1e-12);
   EXPECT_NEAR(signed_volume(make_shape("octahedron")), 4.0 / 3, 1e-12);
+  EXPECT_NEAR(signed_volume(make_shape("sphere:128")), std::acos(-1) / 6, 1e-3);
+  EXPECT_NEAR(signed_volume(make_shape("drum:1024")), 0.375 + 0.5 * 0.3125 * 0.3125 * std::acos(-1), 1e-4);
   EXPECT_LT(signed_volume(make_shape("room:1")), 0) << "a room is seen from inside";
 }
 
 TEST(Shapes, EveryNameWorksAndHasAFeature) {
-  EXPECT_EQ(shape_names().size(), 10u);
+  EXPECT_EQ(shape_names().size(), 17u);
   for (const std::string& name : shape_names()) {
     EXPECT_TRUE(is_shape(name));
     EXPECT_GT(make_shape(name).face_count, 0) << name;
@@ -73,9 +80,9 @@ TEST(Shapes, EveryNameWorksAndHasAFeature) {
 }
 
 TEST(Shapes, WrongNamesAreRefused) {
-  for (const std::string name :
-       {"", "ball", "cube:1", "thin_plate:0", "thin_plate:2", "thin_plate:nan", "thin_plate:x", "city:0",
-        "city:100001", "city:3:4:5", "room:-1", "room:1.5", "city:"}) {
+  for (const std::string name : {"", "ball", "sphere:6", "sphere:10", "drum:1028", "drum:8:8", "cube:1",
+                                 "thin_plate:0", "thin_plate:2", "thin_plate:nan", "thin_plate:x", "city:0",
+                                 "city:100001", "city:3:4:5", "room:-1", "room:1.5", "city:"}) {
     EXPECT_THROW(make_shape(name), MeshError) << name;
     EXPECT_THROW(feature_size(name), MeshError) << name;
   }

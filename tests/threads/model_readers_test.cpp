@@ -38,8 +38,9 @@ Answer surfaces(const Model& model) {
 Answer counts(const Model& model) {
   const Counts c = model.counts();
   Answer answer;
-  for (const auto n : {c.points, c.refused, c.expired, c.loose, c.sets, c.point_segments, c.polygons, c.holes,
-                       c.edges, c.shared_edges, c.redundant_by_count, c.redundant_by_position})
+  for (const auto n :
+       {c.points, c.refused, c.expired, c.loose, c.confirmed, c.sets, c.point_segments, c.polygons, c.holes,
+        c.edges, c.shared_edges, c.redundant_by_count, c.redundant_by_position})
     answer.push_back(static_cast<double>(n));
   return answer;
 }

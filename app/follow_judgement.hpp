@@ -1,0 +1,17 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <limpet/app/follow_run.hpp>
+#include <limpet/app/follow_setup.hpp>
+#include <limpet/evaluation/run_judgement.hpp>
+#include <limpet/model/model.hpp>
+
+namespace limpet::app {
+
+/// Judges a run by the mesh that it took place over. `model` is that of the run, finished. `with_tour`:
+/// compare with an offline tour, too, which takes longer than all the rest. Precondition: the true surface is
+/// known (BuiltWorld::truth).
+evaluation::RunJudgement judge_by_truth(const FollowSetup&, const FollowOutcome&, const model::Model& model,
+                                        bool with_tour = false);
+
+}  // namespace limpet::app

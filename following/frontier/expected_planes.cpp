@@ -1,0 +1,87 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "expected_planes_internal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpet::following::internal {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kMeets = 0.5;    ///< λ between a reading and a target that it serves
+constexpr double kNearPlane = 1;  ///< λ from a plane: what is felt there, or empty, tells of it
+
+}  // namespace
+
+std::optional<Vector3d> crossing(const Ray& ray, const Vector3d& normal, double height, double least_cosine) {
+  const double fall = -ray.axis.dot(normal);
+  if (fall < least_cosine) return std::nullopt;
+  const double range = (normal.dot(ray.from) - height) / fall;
+  if (range < 0 || range > ray.range) return std::nullopt;
+  return ray.from + range * ray.axis;
+}
+
+ExpectedPlanes::ExpectedPlanes(double resolution, const Outlook& outlook)
+    : lambda_(resolution), targets_(outlook.targets), met_(targets_.size(), 0) {
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    plane_at(targets_[i].at, targets_[i].normal).targets.push_back(i);
+  for (const Border& border : outlook.borders)
+    plane_at((border.from + border.to) / 2, border.normal).ground.add(border);
+  for (Plane& plane : planes_) {
+    const auto is_near = [&](const Vector3d& p) {
+      return std::abs(plane.normal.dot(p) - plane.height) < kNearPlane * lambda_;
+    };
+    for (const Vector3d& point : outlook.points)
+      if (is_near(point)) plane.ground.add_felt(point);
+    for (const Vector3d& place : outlook.empty)
+      if (is_near(place)) plane.ground.add_empty(place);
+  }
+}
+
+/// The plane through a place, with this normal.
+ExpectedPlanes::Plane& ExpectedPlanes::plane_at(const Vector3d& place, const Vector3d& normal) {
+  constexpr double kSameWay = 0.999, kSameHeight = 0.2;
+  const auto same = [&](const Plane& plane) {
+    return plane.normal.dot(normal) > kSameWay &&
+           std::abs(plane.normal.dot(place) - plane.height) < kSameHeight * lambda_;
+  };
+  const auto plane = std::find_if(planes_.begin(), planes_.end(), same);
+  if (plane != planes_.end()) return *plane;
+  return planes_.emplace_back(Plane{normal, normal.dot(place), {}, NewGround(lambda_, place, normal)});
+}
+
+/// The weight of the nearest target, less beside it, or that of new ground.
+double ExpectedPlanes::worth(const Plane& plane, const Vector3d& meets) {
+  const double near2 = kMeets * kMeets * lambda_ * lambda_;
+  double best = near2;
+  std::size_t found = targets_.size();
+  for (const std::size_t i : plane.targets)
+    if (const double d2 = (targets_[i].at - meets).squaredNorm(); met_[i] != place_number_ && d2 < best)
+      best = d2, found = i;
+  if (found == targets_.size()) return plane.ground.at(meets);
+  met_[found] = place_number_;
+  return targets_[found].weight * (1 - best / near2);
+}
+
+double ExpectedPlanes::worth(const std::vector<Ray>& rays, double least_cosine) {
+  ++place_number_;
+  double sum = 0;
+  for (const Ray& ray : rays) {
+    double best = 0;
+    for (const Plane& plane : planes_)
+      if (const auto meets = crossing(ray, plane.normal, plane.height, least_cosine))
+        best = std::max(best, worth(plane, *meets));
+    sum += best;
+  }
+  return sum;
+}
+
+void ExpectedPlanes::add_new_ground(const Ray& ray, double least_cosine,
+                                    std::vector<Vector3d>& places) const {
+  for (const Plane& plane : planes_)
+    if (const auto meets = crossing(ray, plane.normal, plane.height, least_cosine))
+      if (plane.ground.at(*meets) > 0) places.push_back(*meets);
+}
+
+}  // namespace limpet::following::internal

@@ -1,0 +1,68 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "travel_internal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace limpet::following::internal {
+
+using Eigen::Vector3d;
+
+void Travel::arrive(const model::View& view, const Clearance& clearance, const Vector3d& here) {
+  visited_.arrive(view, clearance, here);
+  here_ = here;
+}
+
+bool Travel::begin(const std::function<bool(const Vector3d&)>& wanted) {
+  set_way(visited_.way_to(wanted));
+  return is_under_way();
+}
+
+void Travel::begin(const Vector3d& to) { set_way({to}); }
+
+void Travel::set_way(std::vector<Vector3d> way) {
+  constexpr double kDetour = 3, kSteps = 12;  // of the way's length, and beside it
+  double length = 0;
+  Vector3d before = here_;
+  for (const Vector3d& place : way) length += (place - std::exchange(before, place)).norm();
+  steps_left_ = std::lround(kSteps + kDetour * length / step_);
+  way_ = std::move(way);
+  std::reverse(way_.begin(), way_.end());
+}
+
+Travel::Progress Travel::look(const Vector3d& here, bool has_moved) {
+  constexpr int kStops = 12;
+  const bool is_stopped = comes_no_nearer(here) || !has_moved;
+  if (is_stopped) visited_.block(way_.back()), ++stops_;
+  const bool is_hopeless = stops_ >= kStops || --steps_left_ <= 0;
+  if (is_hopeless) stops_ = 0;
+  return is_hopeless ? Progress::hopeless : is_stopped ? Progress::stopped : Progress::good;
+}
+
+/// What bends a motion off the surface can lead it back and forth.
+bool Travel::comes_no_nearer(const Vector3d& here) {
+  constexpr int kPatience = 4;  // steps
+  const double distance = (way_.back() - here).norm();
+  if (leg_ != way_.back() || distance < nearest_ - 0.1 * lambda_)
+    nearest_ = distance, idle_ = 0;
+  else
+    ++idle_;
+  leg_ = way_.back();
+  return idle_ >= kPatience;
+}
+
+Vector3d Travel::next(const Steering& steering, const Vector3d& here) {
+  if (way_.size() > 1 && (way_.back() - here).norm() < 0.1 * lambda_) way_.pop_back();
+  // Straight to the farthest place of the way that is in sight.
+  constexpr int kPlacesAhead = 4;
+  for (int looked = 0; looked < kPlacesAhead && way_.size() > 1; ++looked) {
+    if (!steering.is_safe(way_[way_.size() - 2])) break;
+    way_.pop_back();
+  }
+  const Vector3d there = way_.back();
+  if ((there - here).norm() < step_ + 1e-6 * lambda_) way_.pop_back();
+  return steering.towards(there);
+}
+
+}  // namespace limpet::following::internal

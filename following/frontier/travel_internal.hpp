@@ -1,0 +1,58 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "steering_internal.hpp"
+#include "visited_internal.hpp"
+
+namespace limpet::following::internal {
+
+/// Leads the control point to where something is left to be done: over places where it has been. A travel
+/// ends: it arrives, or it is given up when it has taken too many steps or has been stopped too often.
+class Travel {
+ public:
+  Travel(double resolution, double step) : visited_(resolution), lambda_(resolution), step_(step) {}
+
+  /// The control point is here now, having come in a straight line.
+  void arrive(const model::View&, const Clearance&, const Eigen::Vector3d& here);
+
+  /// Begins the shortest way over visited places to one that is wanted. Returns whether there is one.
+  bool begin(const std::function<bool(const Eigen::Vector3d&)>& wanted);
+  /// Begins a straight way.
+  void begin(const Eigen::Vector3d& to);
+  void stop() { way_.clear(); }
+  /// Something has been found to do.
+  void arrived() { way_.clear(), stops_ = 0; }
+  bool is_under_way() const { return !way_.empty(); }
+  const Eigen::Vector3d& goal() const { return way_.front(); }
+
+  enum class Progress {
+    good,
+    stopped,  ///< another way may do
+    hopeless  ///< the goal is to be given up
+  };
+  /// Looks at how the last motion went. Precondition: is_under_way(), as before that motion.
+  Progress look(const Eigen::Vector3d& here, bool has_moved);
+
+  /// The next motion. Precondition: is_under_way().
+  Eigen::Vector3d next(const Steering&, const Eigen::Vector3d& here);
+
+ private:
+  void set_way(std::vector<Eigen::Vector3d> way);
+  bool comes_no_nearer(const Eigen::Vector3d& here);
+
+  Visited visited_;
+  double lambda_, step_;
+  Eigen::Vector3d here_ = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3d> way_;           ///< the next place last
+  long steps_left_ = 0;                        ///< until the goal is given up
+  int stops_ = 0;                              ///< since the last travel that arrived
+  Eigen::Vector3d leg_ = Eigen::Vector3d::Zero();  ///< the next place, when the last motion was chosen
+  double nearest_ = 0;                         ///< that the control point has come to it
+  int idle_ = 0;                               ///< steps since then
+};
+
+}  // namespace limpet::following::internal
