@@ -31,14 +31,30 @@ FollowRun::FollowRun(const FollowSetup& setup)
     : setup_(setup),
       model_(begin(setup)),
       follower_(following::make_follower(setup.strategy, setup.following)),
-      sensing_(*setup.world.world, setup.errors) {}
+      sensing_(*setup.world.world, setup.errors),
+      watch_(setup.following.resolution, setup.robot.sensors.size()) {}
 
 FollowOutcome FollowRun::go(const std::function<void(const FollowStep&)>& look) {
   FollowOutcome outcome;
   outcome.ended = go_on(outcome, look);
   outcome.marks = follower_->marks();
+  outcome.stuck_sensors = watch_.stuck();
   model_.finish();
   return outcome;
+}
+
+/// Without the readings of stuck sensors.
+simulation::Sensed FollowRun::sense(const kinematics::Configuration& at) {
+  const simulation::Sensed all = sensing_.sense(setup_.robot, at);
+  const kinematics::Posture posture(setup_.robot, all.measured);
+  simulation::Sensed good{all.measured, {}, {}};
+  for (std::size_t i = 0; i < all.points.size(); ++i) {
+    const std::size_t sensor = all.sensors[i];
+    if (watch_.is_stuck(sensor, posture.sensor(sensor).position, all.points[i].range)) continue;
+    good.points.push_back(all.points[i]);
+    good.sensors.push_back(sensor);
+  }
+  return good;
 }
 
 std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(const FollowStep&)>& look) {
@@ -47,7 +63,7 @@ std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(co
   for (std::int64_t set = 0; set < setup_.max_sets; ++set) {
     if (interrupted()) return "interrupted";
     if (microseconds_since(begin) > 1e6 * setup_.max_seconds) return "max-seconds";
-    const simulation::Sensed sensed = sensing_.sense(setup_.robot, at);
+    const simulation::Sensed sensed = sense(at);
     outcome.path.push_back(kinematics::Posture(setup_.robot, at).control_point());
     outcome.readings += static_cast<std::int64_t>(sensed.points.size());
 

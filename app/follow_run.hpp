@@ -7,6 +7,7 @@
 #include <functional>
 #include <limpet/app/follow_setup.hpp>
 #include <limpet/following/follower.hpp>
+#include <limpet/following/sensor_watch.hpp>
 #include <limpet/model/model.hpp>
 #include <memory>
 #include <string>
@@ -30,6 +31,7 @@ struct FollowOutcome {
   std::int64_t readings = 0;
   std::array<std::int64_t, following::kModeCount> steps_in_mode{};
   following::Marks marks;                 ///< by the model before it was finished
+  std::vector<std::size_t> stuck_sensors; ///< whose readings were left out, from when they were found stuck
   std::vector<double> step_us, model_us;  ///< step_us: empty when nothing was decided, in a replay
 };
 
@@ -47,12 +49,14 @@ class FollowRun {
   const model::Model& model() const { return model_; }
 
  private:
+  simulation::Sensed sense(const kinematics::Configuration& at);
   std::string go_on(FollowOutcome&, const std::function<void(const FollowStep&)>& look);
 
   const FollowSetup& setup_;
   model::Model model_;
   std::unique_ptr<following::Follower> follower_;
   simulation::Sensing sensing_;
+  following::SensorWatch watch_;
 };
 
 }  // namespace limpet::app

@@ -38,6 +38,7 @@ std::string to_json(const FollowSummary& s) {
   json["path_length"] = length_of(run.path);
   json["unreachable"] = run.marks.unreachable_segments.size() + run.marks.unreachable_edges.size();
   json["unclosable"] = run.marks.unclosable_edges.size();
+  if (!run.stuck_sensors.empty()) json["stuck_sensors"] = run.stuck_sensors;
   if (s.truth) {
     json["coverage"] = s.truth->coverage;
     json["coverage_total"] = s.truth->coverage_total;
@@ -94,6 +95,9 @@ std::string to_text(const FollowSummary& s) {
             " edges or segments as unreachable, " +
             io::grouped(static_cast<std::int64_t>(s.run.marks.unclosable_edges.size())) +
             " edges as unclosable\n";
+  for (const std::size_t sensor : s.run.stuck_sensors)
+    text += "sensor " + std::to_string(sensor) +
+            " said the same distance wherever it was: its readings were left out once that was seen\n";
   if (!s.run.step_us.empty()) text += "a step takes " + microseconds(s.run.step_us) + " to decide\n";
   return text + "a set takes " + microseconds(s.run.model_us) + " to model\n" + to_text(s.model);
 }

@@ -64,9 +64,19 @@ std::unique_ptr<Follower> make_follower(Strategy strategy, const Parameters& par
 Follower::Follower(const Parameters& parameters)
     : parameters_(sound(parameters)), clearance_(parameters.clearance()) {}
 
+/// Nothing that stands still stays too near while the robot keeps away from it.
+bool Follower::is_too_near_for_long(const Observation& seen) {
+  constexpr int kPatience = 60;  // sets
+  const double least = clearance_.least() * (1 - 1e-6);
+  const bool is_clear = clearance_.at(seen.model.view(), seen.posture.control_point(), least) >= least;
+  too_near_ = is_clear ? 0 : too_near_ + 1;
+  return too_near_ > kPatience;
+}
+
 Motion Follower::next(const Observation& seen) {
   clearance_.remember(seen.readings);
   Motion motion = choose(seen);
+  if (is_too_near_for_long(seen)) motion.end = End::stopped;
   if (motion.end != End::none) return {Vector3d::Zero(), motion.mode, motion.end};
   const double length = motion.displacement.norm();
   if (length > parameters_.max_step) motion.displacement *= parameters_.max_step / length;

@@ -43,7 +43,7 @@ enum class End {
   none,        ///< it is not
   complete,    ///< nothing is left that is neither modelled nor marked
   no_surface,  ///< no surface is within sensing range, and none has been felt
-  stopped      ///< the robot cannot move without coming too near
+  stopped      ///< the robot cannot move without coming too near, or cannot get away from what is too near
 };
 std::string_view name_of(End);
 
@@ -101,8 +101,11 @@ class Follower {
   Clearance& clearance() { return clearance_; }
 
  private:
+  bool is_too_near_for_long(const Observation&);
+
   Parameters parameters_;
   Clearance clearance_;
+  int too_near_ = 0;  ///< sets at which the control point has been nearer than δ − λ, up to now
 };
 
 enum class Strategy { frontier, thesis };

@@ -88,7 +88,7 @@ std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& 
                                       const std::vector<Target>& targets, ExpectedPlanes& planes) {
   constexpr double kLeastCosine = 0.34;  // 70°
   const auto found =
-      choose(view, clearance, targets, planes, {(std::size_t)KNOB(NT,10), (std::size_t)KNOB(NC,150), kLeastCosine, kFree, kFreeMargins});
+      choose(view, clearance, targets, planes, {(std::size_t)KNOB(NT,10), (std::size_t)KNOB(NC,100), kLeastCosine, kFree, kFreeMargins});
   if (found) return found;
   return choose(view, clearance, targets, planes, {24, 240, kLeastCosine / 2, kNarrow, kNarrowMargins});
 }

@@ -25,8 +25,6 @@ using model::View;
 
 struct Nothing {};
 
-constexpr double kWithinReach = 3.5;  ///< λ: open edges this near can be aimed at
-constexpr double kOutlook = 5;        ///< λ: what is this near is looked at
 constexpr long kOutcomePeriod = 20;   ///< sets
 
 class FrontierFollower : public Follower {
@@ -56,6 +54,10 @@ class FrontierFollower : public Follower {
   void leave_what_would_close(const Observation&);
 
   double lambda() const { return parameters().resolution; }
+  /// Open edges this near can be aimed at.
+  double aiming_reach() const { return 0.875 * parameters().sensing_range; }
+  /// What is this near is looked at: outside edges just out of range there may be something to be met.
+  double outlook_reach() const { return parameters().sensing_range + lambda(); }
   double step(const Observation& seen) const {
     return std::min(parameters().max_step, seen.posture.robot().ceilings.prismatic);
   }
@@ -124,12 +126,12 @@ void FrontierFollower::look_around(const Observation& seen) {
   const View view = seen.model.view();
   const Vector3d here = seen.posture.control_point();
   outlook_.clear();
-  open_.near(here, kOutlook * lambda(), view, parts_);
+  open_.near(here, outlook_reach(), view, parts_);
   for (const OpenPart& part : parts_)
     if (const PartState state = finder_.add(view, part, outlook_); !part.closes) open_.set(part, state);
-  view.nearest(here, kOutlook * lambda(), points_, {.polygons = false, .initial = false});
+  view.nearest(here, outlook_reach(), points_, {.polygons = false, .initial = false});
   for (const View::Nearest& point : points_) outlook_.points.push_back(point.at);
-  empty_.for_each_within(here, kOutlook * lambda(),
+  empty_.for_each_within(here, outlook_reach(),
                          [&](const Vector3d& place, Nothing) { outlook_.empty.push_back(place); });
   if (outlook_.targets.empty() && !points_.empty() && points_.front().distance < parameters().sensing_range)
     finder_.add_around_point(view, points_.front().at, here, outlook_.targets);
@@ -182,7 +184,7 @@ void FrontierFollower::leave_what_would_close(const Observation& seen) {
 /// The last resorts are an edge of an initial segment, which may be far from every visited place (what was
 /// felt is always near one), and what seems to be known.
 bool FrontierFollower::begin_travel(const Observation& seen) {
-  const auto wanted = [&](const Vector3d& place) { return open_.any_wanted(place, kWithinReach * lambda()); };
+  const auto wanted = [&](const Vector3d& place) { return open_.any_wanted(place, aiming_reach()); };
   if (sets_ - asked_ >= kOutcomePeriod / 2) leave_what_would_close(seen);
   if (travel_->begin(wanted)) return true;
   if (sets_ != asked_) {
@@ -201,7 +203,7 @@ Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
   if (travel_->is_under_way()) {
     const auto progress = travel_->look(here, has_moved);
     if (progress == internal::Travel::Progress::hopeless)
-      open_.give_up(travel_->goal(), kWithinReach * lambda());
+      open_.give_up(travel_->goal(), aiming_reach());
     if (progress != internal::Travel::Progress::good) travel_->stop();
   }
   if (!travel_->is_under_way() && !begin_travel(seen))
