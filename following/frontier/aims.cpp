@@ -24,9 +24,9 @@ struct AimChooser::Search {
 
 namespace {
 
-const double kFree[] = {KNOB(H1,0.8), KNOB(H2,1.1), KNOB(H3,1.5)}, kFreeMargins[] = {KNOB(MARG,1.35), 1};
+const double kFree[] = {KNOB(H1,0.8), KNOB(H2,1.1), KNOB(H3,1.5)}, kFreeMargins[] = {1.35, 1.1};
 /// Between walls that are less than 2 δ apart, places are low over one and look along it.
-constexpr double kNarrow[] = {0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[] = {1, 0};
+constexpr double kNarrow[] = {0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[] = {1.05, 0};
 
 }  // namespace
 
@@ -74,9 +74,11 @@ double AimChooser::worth(const Vector3d& place, ExpectedPlanes& planes, double l
   return planes.worth(rays_, least_cosine);
 }
 
-bool AimChooser::is_good(const model::View& view, const Clearance& clearance, const Aim& aim,
-                         double margin) const {
-  if (margin > 0 ? !clearance.is_safe(view, here_, aim.place, margin * clearance.least())
+bool AimChooser::is_good(const model::View& view, const Clearance& clearance, const ExpectedPlanes& planes,
+                         const Aim& aim, double margin) const {
+  const double distance = margin * clearance.least();
+  if (margin > 0 && planes.is_low_over_new_ground(aim.place, distance)) return false;
+  if (margin > 0 ? !clearance.is_safe(view, here_, aim.place, distance)
                  : !clearance.is_clear(view, here_, aim.place))
     return false;
   const Vector3d way = aim.target.at - aim.place;
@@ -105,7 +107,7 @@ std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& 
                    [](const Aim& a, const Aim& b) { return a.value > b.value; });
   for (const double margin : search.margins)
     for (const Aim& aim : candidates_)
-      if (is_good(view, clearance, aim, margin)) return aim;
+      if (is_good(view, clearance, planes, aim, margin)) return aim;
   return std::nullopt;
 }
 

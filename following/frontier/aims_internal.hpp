@@ -42,7 +42,7 @@ class AimChooser {
   double worth(const Eigen::Vector3d& place, ExpectedPlanes&, double least_cosine);
   /// Can the control point go there, keeping `margin` times the clearance, and does it see the target from
   /// there?
-  bool is_good(const model::View&, const Clearance&, const Aim&, double margin) const;
+  bool is_good(const model::View&, const Clearance&, const ExpectedPlanes&, const Aim&, double margin) const;
 
   double lambda_, height_, step_;
   Eigen::Vector3d here_;

@@ -77,6 +77,13 @@ double ExpectedPlanes::worth(const std::vector<Ray>& rays, double least_cosine) 
   return sum;
 }
 
+bool ExpectedPlanes::is_low_over_new_ground(const Vector3d& place, double distance) const {
+  return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
+    const double height = plane.normal.dot(place) - plane.height;
+    return std::abs(height) < distance && plane.ground.at(place - height * plane.normal) > 0;
+  });
+}
+
 void ExpectedPlanes::add_new_ground(const Ray& ray, double least_cosine,
                                     std::vector<Vector3d>& places) const {
   for (const Plane& plane : planes_)

@@ -28,6 +28,8 @@ class ExpectedPlanes {
   /// What the readings of the rays from one place are worth together, incidence up to this cosine: a ray
   /// serves one target, and a target one ray; or it meets new ground.
   double worth(const std::vector<Ray>&, double least_cosine);
+  /// Is the place less than this far over new ground, straight above it?
+  bool is_low_over_new_ground(const Eigen::Vector3d& place, double distance) const;
   /// Adds where a ray meets new ground.
   void add_new_ground(const Ray&, double least_cosine, std::vector<Eigen::Vector3d>& places) const;
 

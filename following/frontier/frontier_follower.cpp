@@ -45,7 +45,6 @@ class FrontierFollower : public Follower {
   void look_at_what_was_read(const Observation&);
   void note_empty(const std::vector<Ray>&);
   void look_around(const Observation&);
-  void suspect_targets();
   void close_aim(const Vector3d& here, bool has_moved);
   Motion go_on(const Observation&);
   void give_up_what_is_near();
@@ -138,14 +137,6 @@ void FrontierFollower::look_around(const Observation& seen) {
   planes_.emplace(lambda(), outlook_);
 }
 
-/// The model stops short of edges that are not felt yet, and targets are where the surface may go on.
-void FrontierFollower::suspect_targets() {
-  std::vector<Vector3d> places;
-  for (const Target& target : outlook_.targets)
-    if (target.weight == 1) places.push_back(target.at);
-  clearance().suspect(std::move(places));
-}
-
 /// Drops an aim that has been reached, or that cannot be.
 void FrontierFollower::close_aim(const Vector3d& here, bool has_moved) {
   if (!aim_) return;
@@ -233,7 +224,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
   travel_->arrive(view, clearance(), here);
   look_at_what_was_read(seen);
   look_around(seen);
-  suspect_targets();
+  clearance().suspect(outlook_.suspected);
   close_aim(here, has_moved);
   if (!outlook_.targets.empty()) {
     if (const Motion motion = go_on(seen); motion.mode != Mode::none) {

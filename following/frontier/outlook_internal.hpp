@@ -28,8 +28,9 @@ struct Outlook {
   std::vector<Border> borders;
   std::vector<Eigen::Vector3d> points;  ///< the point segments
   std::vector<Eigen::Vector3d> empty;   ///< places where surface was expected, and rays met nothing
+  std::vector<Eigen::Vector3d> suspected;  ///< places up to which the surface may go on, to be kept off
 
-  void clear() { targets.clear(), borders.clear(), points.clear(), empty.clear(); }
+  void clear() { targets.clear(), borders.clear(), points.clear(), empty.clear(), suspected.clear(); }
 };
 
 }  // namespace limpet::following::internal

@@ -58,6 +58,7 @@ PartState TargetFinder::add_folded(const View& view, const OpenPart& part, const
     if (tries.is_blocked()) state = PartState::unreachable;
     if (tries.is_empty() || tries.is_given_up()) continue;
     outlook.targets.push_back({at, facing, 1});
+    outlook.suspected.push_back(at);
     return PartState::wanted;
   }
   return state;
@@ -72,6 +73,8 @@ PartState TargetFinder::add(const View& view, const OpenPart& part, Outlook& out
   Border border{part.from, part.to, outward, normal, false};
   const PartState state = part.closes ? PartState::done : add_targets(view, part, border, outlook);
   outlook.borders.push_back(border);
+  // A polygon stops short of the true edge.
+  outlook.suspected.push_back(part.middle() + (border.goes_on ? kFirst : kFirst / 2) * lambda_ * outward);
   return state;
 }
 
