@@ -76,24 +76,28 @@ class FrontierFollower : public Follower {
   std::int64_t outcomes_asked_ = 0;
 };
 
-/// The distance up to which the ray of a sensor is known to be free.
-double free_range(const kinematics::Posture::Sensor& sensor, std::span<const model::SensorPoint> readings) {
+/// The distance up to which the ray of a sensor is known to be free. A reading is the sensor's that has its
+/// axis and is on it, or beside it by less than `beside`: the point that a range image has there.
+double free_range(const kinematics::Posture::Sensor& sensor, std::span<const model::SensorPoint> readings,
+                  double beside) {
   constexpr double kSame = 1e-9;
-  for (const model::SensorPoint& reading : readings)
-    if ((reading.axis - sensor.axis).squaredNorm() < kSame &&
-        (reading.position - (sensor.position + reading.range * sensor.axis)).norm() <
-            kSame * (1 + reading.range))
-      return reading.range;
-  return sensor.range;
+  double free = sensor.range, nearest2 = beside * beside;
+  for (const model::SensorPoint& reading : readings) {
+    if ((reading.axis - sensor.axis).squaredNorm() > kSame) continue;
+    const Vector3d on_axis = sensor.position + reading.range * sensor.axis;
+    const double off2 = (reading.position - on_axis).squaredNorm();
+    if (off2 < nearest2) nearest2 = off2, free = reading.range;
+  }
+  return free;
 }
 
 /// What of each sensor's ray is known to be free, but for the last bit: a surface a little before the one that
 /// is expected is the same.
-std::vector<Ray> free_rays(const Observation& seen, double last_bit) {
+std::vector<Ray> free_rays(const Observation& seen, double beside, double last_bit) {
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i) {
     const auto sensor = seen.posture.sensor(i);
-    rays.push_back({sensor.position, sensor.axis, free_range(sensor, seen.readings) - last_bit});
+    rays.push_back({sensor.position, sensor.axis, free_range(sensor, seen.readings, beside) - last_bit});
   }
   return rays;
 }
@@ -101,7 +105,7 @@ std::vector<Ray> free_rays(const Observation& seen, double last_bit) {
 /// Remembers where surface was expected and rays met nothing.
 void FrontierFollower::look_at_what_was_read(const Observation& seen) {
   constexpr double kSurface = 0.6;  // λ
-  if (planes_) note_empty(free_rays(seen, kSurface * lambda()));
+  if (planes_) note_empty(free_rays(seen, lambda(), kSurface * lambda()));
 }
 
 void FrontierFollower::note_empty(const std::vector<Ray>& rays) {
