@@ -4,6 +4,7 @@
 #include <chrono>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/interrupt.hpp>
+#include <optional>
 #include <stdexcept>
 
 namespace limpet::app {
@@ -48,11 +49,15 @@ simulation::Sensed FollowRun::sense(const kinematics::Configuration& at) {
   const simulation::Sensed all = sensing_.sense(setup_.robot, at);
   const kinematics::Posture posture(setup_.robot, all.measured);
   simulation::Sensed good{all.measured, {}, {}};
-  for (std::size_t i = 0; i < all.points.size(); ++i) {
-    const std::size_t sensor = all.sensors[i];
-    if (watch_.is_stuck(sensor, posture.sensor(sensor).position, all.points[i].range)) continue;
-    good.points.push_back(all.points[i]);
-    good.sensors.push_back(sensor);
+  std::size_t next = 0;
+  for (std::size_t sensor = 0; sensor < setup_.robot.sensors.size(); ++sensor) {
+    const bool reads = next < all.sensors.size() && all.sensors[next] == sensor;
+    const auto distance = reads ? std::optional(all.points[next].range) : std::nullopt;
+    if (!watch_.is_stuck(sensor, posture.sensor(sensor).position, distance) && reads) {
+      good.points.push_back(all.points[next]);
+      good.sensors.push_back(sensor);
+    }
+    next += reads;
   }
   return good;
 }

@@ -17,13 +17,11 @@ double squared_distance_to_way(const Vector3d& p, const Vector3d& a, const Vecto
 }  // namespace
 
 void Clearance::remember(std::span<const model::SensorPoint> readings) {
-  for (const model::SensorPoint& reading : readings) {
-    if (recent_.size() < kRecent)
-      recent_.push_back(reading.position);
-    else
-      recent_[next_] = reading.position;
-    next_ = (next_ + 1) % kRecent;
-  }
+  for (const model::SensorPoint& reading : readings) recent_.push_back(reading.position);
+  sizes_.push_back(readings.size());
+  if (sizes_.size() <= kRecent) return;
+  recent_.erase(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(sizes_.front()));
+  sizes_.pop_front();
 }
 
 double Clearance::at(const model::View& view, const Vector3d& place, double reach) const {

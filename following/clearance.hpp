@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <deque>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,7 +21,7 @@ class Clearance {
 
   double least() const { return least_; }
 
-  /// Remembers a set of readings as obstacles; the oldest are forgotten.
+  /// Remembers a set of readings as obstacles, and forgets the set 80 sets ago.
   void remember(std::span<const model::SensorPoint> readings);
 
   /// Distance from a place to the nearest obstacle, or `reach` when there is none that near.
@@ -43,12 +44,12 @@ class Clearance {
   bool keeps(const model::View&, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
              double distance) const;
 
-  static constexpr std::size_t kRecent = 2048;  ///< readings, some 80 sets of 26
+  static constexpr std::size_t kRecent = 80;  ///< sets
 
   double least_;
-  std::vector<Eigen::Vector3d> recent_;  ///< a ring
+  std::deque<Eigen::Vector3d> recent_;  ///< readings, the latest last
+  std::deque<std::size_t> sizes_;       ///< of the sets that they are of
   std::vector<Eigen::Vector3d> suspected_;
-  std::size_t next_ = 0;
 };
 
 }  // namespace limpet::following

@@ -10,14 +10,15 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 SensorWatch::SensorWatch(double resolution, std::size_t sensors)
-    : least_spread_(resolution / 4), records_(sensors) {
+    : least_spread_(resolution / 2), records_(sensors) {
   if (!(resolution > 0)) throw std::invalid_argument("the resolution λ must be positive");
 }
 
-bool SensorWatch::is_stuck(std::size_t sensor, const Vector3d& position, double distance) {
+bool SensorWatch::is_stuck(std::size_t sensor, const Vector3d& position, std::optional<double> distance) {
   Record& record = records_[sensor];
   if (record.stuck) return true;
   if (distance != record.distance) record = {distance};
+  if (!distance) return false;
   ++record.count;
   const Vector3d off = position - record.mean;
   record.mean += off / record.count;

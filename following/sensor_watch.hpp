@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace limpet::following {
@@ -11,27 +12,27 @@ namespace limpet::following {
 /// modelled as a surface that goes with the robot, and followed without end.
 ///
 ///     SensorWatch watch(resolution, robot.sensors.size());
-///     if (!watch.is_stuck(sensor, posture.sensor(sensor).position, distance))
-///       readings.push_back(posture.sensor_point(sensor, distance));
+///     const bool stuck = watch.is_stuck(sensor, posture.sensor(sensor).position, distance);
+///     if (distance && !stuck) readings.push_back(posture.sensor_point(sensor, *distance));
 ///
 /// A surface can give the same distance again and again, but only at places of the sensor that lie in a plane.
-/// So a sensor is stuck when the places at which it has said one distance, without another in between, spread
-/// by λ/4 (standard deviation) in every direction of space.
+/// So a sensor is stuck when the places at which it has said one distance, in one set after the other, spread
+/// by λ/2 (standard deviation) in every direction of space: more than the next of parallel planes is off.
 class SensorWatch {
  public:
   /// Throws std::invalid_argument unless the resolution λ is positive.
   SensorWatch(double resolution, std::size_t sensors);
 
-  /// Takes the next reading of a sensor that is at this position (world). Returns whether the sensor is stuck;
+  /// Takes what a sensor at this position (world) says, or that it says nothing. Returns whether it is stuck;
   /// once it is, it stays so. Precondition: sensor < sensors.
-  bool is_stuck(std::size_t sensor, const Eigen::Vector3d& position, double distance);
+  bool is_stuck(std::size_t sensor, const Eigen::Vector3d& position, std::optional<double> distance);
 
   /// The sensors that are stuck, ascending.
   std::vector<std::size_t> stuck() const;
 
  private:
   struct Record {
-    double distance = -1;  ///< the last one
+    std::optional<double> distance;  ///< the last one
     double count = 0;      ///< of sets with it
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< of the sensor's positions then
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< Σ (position − mean)(position − mean)ᵀ

@@ -43,7 +43,7 @@ struct Sensed {
   kinematics::Configuration measured;  ///< what its encoders say
   /// The set: one point for each sensor that gave a reading, placed by the measured configuration.
   std::vector<model::SensorPoint> points;
-  std::vector<std::size_t> sensors;  ///< of each point, its sensor
+  std::vector<std::size_t> sensors;  ///< of each point, its sensor; ascending
 };
 
 /// Senses a world with a robot's range sensors (thesis §4.2), and its joints with their encoders.

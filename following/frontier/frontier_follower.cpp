@@ -25,7 +25,8 @@ using model::View;
 
 struct Nothing {};
 
-constexpr long kOutcomePeriod = 20;   ///< sets
+constexpr long kOutcomePeriod = 20;  ///< sets
+constexpr int kRetries = 2;          ///< of what was unreachable
 
 class FrontierFollower : public Follower {
  public:
@@ -74,6 +75,7 @@ class FrontierFollower : public Follower {
   Vector3d before_ = Vector3d::Zero();
   long sets_ = 0, asked_ = -1;  ///< sets so far, and when it was last asked what would close
   std::int64_t outcomes_asked_ = 0;
+  int retries_ = 0;
 };
 
 /// The distance up to which the ray of a sensor is known to be free. A reading is the sensor's that has its
@@ -177,7 +179,7 @@ void FrontierFollower::leave_what_would_close(const Observation& seen) {
 }
 
 /// The last resorts are an edge of an initial segment, which may be far from every visited place (what was
-/// felt is always near one), and what seems to be known.
+/// felt is always near one), what seems to be known, and what was in the way of something before.
 bool FrontierFollower::begin_travel(const Observation& seen) {
   const auto wanted = [&](const Vector3d& place) { return open_.any_wanted(place, aiming_reach()); };
   if (sets_ - asked_ >= kOutcomePeriod / 2) leave_what_would_close(seen);
@@ -190,7 +192,11 @@ bool FrontierFollower::begin_travel(const Observation& seen) {
     travel_->begin(*given);
     return true;
   }
-  return open_.insist() && travel_->begin(wanted);
+  if (open_.insist() && travel_->begin(wanted)) return true;
+  if (retries_ == kRetries || !open_.retry()) return false;
+  ++retries_;
+  memory_.forget_blocked();
+  return travel_->begin(wanted);
 }
 
 Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {

@@ -114,6 +114,14 @@ bool OpenEdgeMap::insist() {
   return any;
 }
 
+bool OpenEdgeMap::retry() {
+  bool any = false;
+  for (auto& [id, entry] : edges_)
+    for (PartState& state : entry.parts)
+      if (!entry.closes && state == PartState::unreachable) state = PartState::wanted, any = true;
+  return any;
+}
+
 void OpenEdgeMap::give_up(const Vector3d& p, double reach) {
   places_.for_each_within(p, reach, [&](const Vector3d&, const Place& place) {
     const auto known = edges_.find(place.edge);

@@ -54,6 +54,8 @@ class OpenEdgeMap {
   /// What seemed to be done, and yet would not close, is wanted again, once for each edge. Returns whether
   /// there was any.
   bool insist();
+  /// What was unreachable is wanted again. Returns whether there was any.
+  bool retry();
   /// The parts within `reach` of p that are wanted become unreachable.
   void give_up(const Eigen::Vector3d& p, double reach);
   /// The middle of the part of an initial segment's edge that is wanted and nearest to p; none: there is no

@@ -21,7 +21,20 @@ Vector3d Steering::towards(const Vector3d& there) const {
     if (is_safe(here_ + motion)) return motion;
   for (const Vector3d& motion : {straight, bent})
     if (clearance_.is_clear(view_, here_, here_ + motion)) return motion;
-  return way_out();
+  const Vector3d round = way_round(there);
+  return round.isZero() ? way_out() : round;
+}
+
+/// The clear step that leads nearest to `there`; zero when none leads nearer.
+Vector3d Steering::way_round(const Vector3d& there) const {
+  Vector3d best = Vector3d::Zero();
+  double least = (there - here_).norm() - 0.1 * step_;
+  for (std::size_t i = 0; i < posture_.robot().sensors.size(); ++i) {
+    const Vector3d way = step_ * posture_.sensor(i).axis;
+    const double left = (there - here_ - way).norm();
+    if (left < least && clearance_.is_clear(view_, here_, here_ + way)) best = way, least = left;
+  }
+  return best;
 }
 
 /// Without what leads towards the nearest surface, and away from it where it is near.

@@ -17,14 +17,15 @@ class Steering {
       : view_(view), clearance_(clearance), posture_(posture), here_(posture.control_point()), step_(step) {}
 
   /// A motion to `there`, or a step towards it, that goes straight, if that is safe, or else along the surface
-  /// that is in the way, and off it; where it is too narrow to be safe, one of the two that is clear; and else
-  /// the way out.
+  /// that is in the way, and off it; where it is too narrow to be safe, one of the two that is clear; else a
+  /// step round what is in the way, or the way out.
   Eigen::Vector3d towards(const Eigen::Vector3d& there) const;
   /// Does the straight way keep off everything, with some room to spare?
   bool is_safe(const Eigen::Vector3d& there) const;
 
  private:
   Eigen::Vector3d bent_off(const Eigen::Vector3d& motion) const;
+  Eigen::Vector3d way_round(const Eigen::Vector3d& there) const;
   Eigen::Vector3d way_out() const;
 
   const model::View& view_;

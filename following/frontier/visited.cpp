@@ -43,11 +43,12 @@ void Visited::arrive(const model::View& view, const Clearance& clearance, const 
 }
 
 void Visited::block(const Vector3d& to) {
-  for (Link& there : nodes_[present_].links) {
-    if (nodes_[there.to].at != to) continue;
-    there.length += detour_;
-    find(there.to, present_)->length += detour_;
-  }
+  places_.for_each_within(to, 0, [&](const Vector3d&, std::size_t node) {
+    for (Link& there : nodes_[node].links) {
+      there.length += detour_;
+      find(there.to, node)->length += detour_;
+    }
+  });
 }
 
 std::vector<Vector3d> Visited::way_to(const std::function<bool(const Vector3d&)>& wanted) const {

@@ -19,8 +19,8 @@ class Visited {
   /// The control point is here now, having come in a straight line.
   void arrive(const model::View&, const Clearance&, const Eigen::Vector3d& here);
 
-  /// The straight way from the present place to the visited one at `to` has turned out not to be clear: other
-  /// ways are preferred from now on.
+  /// The visited place at `to` could not be reached, this time: ways that avoid it are preferred from now on,
+  /// from wherever they come.
   void block(const Eigen::Vector3d& to);
 
   /// The shortest way over visited places to one that is wanted. It begins with the one next to which the
