@@ -3,28 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <span>
 
-#define KNOB(n,d) ([]{static const double v=getenv(#n)?atof(getenv(#n)):(d);return v;}())
 namespace limpet::following::internal {
-namespace {
 
 using Eigen::Vector3d;
-
-}  // namespace
 
 /// Where to look for places.
 struct AimChooser::Search {
   std::size_t targets, candidates;  ///< the nearest so many
   double least_cosine;              ///< of incidence
   std::span<const double> heights;  ///< δ over the expected surface
-  std::span<const double> margins;  ///< δ − λ to be kept, from suspected places, too; 0: what is clear will do
+  /// Times δ − λ, to be kept off suspected places, too; the first for which there is an aim. 0: what is clear
+  /// will do.
+  std::span<const double> margins;
 };
 
 namespace {
 
-const double kFree[] = {KNOB(H1,0.8), KNOB(H2,1.1), KNOB(H3,1.5)}, kFreeMargins[] = {1.35, 1.1};
+constexpr double kFree[] = {0.8, 1.1, 1.5}, kFreeMargins[] = {1.35, 1.1};
 /// Between walls that are less than 2 δ apart, places are low over one and look along it.
 constexpr double kNarrow[] = {0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[] = {1.05, 0};
 
@@ -89,8 +86,7 @@ bool AimChooser::is_good(const model::View& view, const Clearance& clearance, co
 std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& clearance,
                                       const std::vector<Target>& targets, ExpectedPlanes& planes) {
   constexpr double kLeastCosine = 0.34;  // 70°
-  const auto found =
-      choose(view, clearance, targets, planes, {(std::size_t)KNOB(NT,10), (std::size_t)KNOB(NC,100), kLeastCosine, kFree, kFreeMargins});
+  const auto found = choose(view, clearance, targets, planes, {10, 100, kLeastCosine, kFree, kFreeMargins});
   if (found) return found;
   return choose(view, clearance, targets, planes, {24, 240, kLeastCosine / 2, kNarrow, kNarrowMargins});
 }

@@ -35,8 +35,8 @@ class AimChooser {
  private:
   struct Search;
 
-  std::optional<Aim> choose(const model::View&, const Clearance&, const std::vector<Target>&,
-                            ExpectedPlanes&, const Search&);
+  std::optional<Aim> choose(const model::View&, const Clearance&, const std::vector<Target>&, ExpectedPlanes&,
+                            const Search&);
   void add_candidates(const std::vector<Target>&, const Search&);
   void add_candidates(const Target&, const Search&);
   double worth(const Eigen::Vector3d& place, ExpectedPlanes&, double least_cosine);

@@ -52,27 +52,27 @@ ExpectedPlanes::Plane& ExpectedPlanes::plane_at(const Vector3d& place, const Vec
 }
 
 /// The weight of the nearest target, less beside it, or that of new ground.
-double ExpectedPlanes::worth(const Plane& plane, const Vector3d& meets) {
+ExpectedPlanes::Worth ExpectedPlanes::worth(const Plane& plane, const Vector3d& meets) const {
   const double near2 = kMeets * kMeets * lambda_ * lambda_;
   double best = near2;
-  std::size_t found = targets_.size();
+  std::optional<std::size_t> found;
   for (const std::size_t i : plane.targets)
     if (const double d2 = (targets_[i].at - meets).squaredNorm(); met_[i] != place_number_ && d2 < best)
       best = d2, found = i;
-  if (found == targets_.size()) return plane.ground.at(meets);
-  met_[found] = place_number_;
-  return targets_[found].weight * (1 - best / near2);
+  if (!found) return {plane.ground.at(meets), found};
+  return {targets_[*found].weight * (1 - best / near2), found};
 }
 
 double ExpectedPlanes::worth(const std::vector<Ray>& rays, double least_cosine) {
   ++place_number_;
   double sum = 0;
   for (const Ray& ray : rays) {
-    double best = 0;
+    Worth best;
     for (const Plane& plane : planes_)
       if (const auto meets = crossing(ray, plane.normal, plane.height, least_cosine))
-        best = std::max(best, worth(plane, *meets));
-    sum += best;
+        if (const Worth here = worth(plane, *meets); here.value > best.value) best = here;
+    if (best.target) met_[*best.target] = place_number_;
+    sum += best.value;
   }
   return sum;
 }

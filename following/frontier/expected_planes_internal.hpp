@@ -16,7 +16,8 @@ struct Ray {
   double range;
 };
 
-/// Where a ray crosses a plane from its front, no flatter than this cosine of incidence; none: it does not.
+/// Where a ray crosses the plane {p : normal·p = height} from its front, no flatter than this cosine of
+/// incidence, which is > 0; none: it does not.
 std::optional<Eigen::Vector3d> crossing(const Ray&, const Eigen::Vector3d& normal, double height,
                                         double least_cosine);
 
@@ -25,12 +26,13 @@ class ExpectedPlanes {
  public:
   ExpectedPlanes(double resolution, const Outlook&);
 
-  /// What the readings of the rays from one place are worth together, incidence up to this cosine: a ray
-  /// serves one target, and a target one ray; or it meets new ground.
+  /// What the readings of the rays from one place are worth together, incidence up to this cosine (> 0): a
+  /// ray serves one target, and a target one ray; or it meets new ground. Rays are served in their order. The
+  /// answer does not depend on earlier questions.
   double worth(const std::vector<Ray>&, double least_cosine);
   /// Is the place less than this far over new ground, straight above it?
   bool is_low_over_new_ground(const Eigen::Vector3d& place, double distance) const;
-  /// Adds where a ray meets new ground.
+  /// Adds where a ray meets new ground, for each plane.
   void add_new_ground(const Ray&, double least_cosine, std::vector<Eigen::Vector3d>& places) const;
 
  private:
@@ -40,8 +42,12 @@ class ExpectedPlanes {
     std::vector<std::size_t> targets;
     NewGround ground;
   };
+  struct Worth {
+    double value = 0;
+    std::optional<std::size_t> target;  ///< that is served; none: new ground is met, or nothing
+  };
   Plane& plane_at(const Eigen::Vector3d& place, const Eigen::Vector3d& normal);
-  double worth(const Plane&, const Eigen::Vector3d& meets);
+  Worth worth(const Plane&, const Eigen::Vector3d& meets) const;
 
   double lambda_;
   std::vector<Target> targets_;

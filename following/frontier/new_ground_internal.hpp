@@ -9,16 +9,26 @@
 namespace limpet::following::internal {
 
 /// How much a reading would add at a place of a plane: much where surface is expected and nothing is felt
-/// within some 0.9 λ. The surface is felt in fewest sets when most rays of each meet new ground; what they
-/// leave between them is for targets.
+/// within 0.9 λ. The surface is felt in fewest sets when most rays of each meet new ground; what they leave
+/// between them is for targets.
+///
+/// With b, f and e the distances to the nearest border, felt and empty place, it is 0 unless the place is
+/// outside of that border, the surface goes on there, b ≤ 3.8 λ, and e ≥ √2 min(b, f); then it rises from 0
+/// where min(b, f) ≤ 0.45 λ to 1 from 0.9 λ on.
+///
+///  (1) Where a corner of two borders is nearest, the one whose line is farther off counts: a place is
+///      outside exactly when it is outside of the polygon they bound;
+///  (2) neither a rigid motion of all, nor the order of what is added, changes the answer, but where borders
+///      differ in going on and are equally near and faced.
 class NewGround {
  public:
   NewGround(double resolution, const Eigen::Vector3d& origin, const Eigen::Vector3d& normal);
 
+  /// A border without length is left out.
   void add(const Border&);
   void add_felt(const Eigen::Vector3d& point) { felt_.push_back(flat(point)); }
   void add_empty(const Eigen::Vector3d& place) { empty_.push_back(flat(place)); }
-  /// From 0 to 1, for a place in the plane.
+  /// From 0 to 1, for a place in the plane; of other places the projection counts.
   double at(const Eigen::Vector3d& place) const;
 
  private:

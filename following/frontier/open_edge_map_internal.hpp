@@ -43,7 +43,7 @@ class OpenEdgeMap {
   void read(const model::View&);
 
   /// The parts with their middle within `reach` of p, as they are now, by edge and part. Edges that are gone
-  /// are forgotten.
+  /// are forgotten; those that would close are among them.
   void near(const Eigen::Vector3d& p, double reach, const model::View&, std::vector<OpenPart>&);
 
   /// A part of an edge that is new, or has moved, is wanted.
@@ -62,10 +62,10 @@ class OpenEdgeMap {
   /// such part. It may be far from where anything was felt. Takes time for all open edges.
   std::optional<Eigen::Vector3d> nearest_wanted_of_initial(const Eigen::Vector3d& p,
                                                            const model::View&) const;
-  /// Is there a part within `reach` of p that is wanted?
+  /// Is there a part within `reach` of p that is wanted, of an edge that would not close?
   bool any_wanted(const Eigen::Vector3d& p, double reach) const;
 
-  /// The edges some part of which is in this state, by identity.
+  /// The edges that would not close and some part of which is in this state, by identity.
   std::vector<geometry::EdgeId> edges(PartState) const;
 
  private:

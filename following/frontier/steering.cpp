@@ -14,9 +14,8 @@ bool Steering::is_safe(const Vector3d& there) const {
 
 Vector3d Steering::towards(const Vector3d& there) const {
   const Vector3d way = there - here_;
-  const double length = way.norm();
-  const Vector3d straight = length > step_ ? Vector3d(way * (step_ / length)) : way;
-  const Vector3d bent = bent_off(straight);
+  const Vector3d straight = shortened(way);
+  const Vector3d bent = shortened(bent_off(straight));
   for (const Vector3d& motion : {straight, bent})
     if (is_safe(here_ + motion)) return motion;
   for (const Vector3d& motion : {straight, bent})
@@ -35,6 +34,12 @@ Vector3d Steering::way_round(const Vector3d& there) const {
     if (left < least && clearance_.is_clear(view_, here_, here_ + way)) best = way, least = left;
   }
   return best;
+}
+
+/// No longer than the step.
+Vector3d Steering::shortened(const Vector3d& motion) const {
+  const double length = motion.norm();
+  return length > step_ ? Vector3d(motion * (step_ / length)) : motion;
 }
 
 /// Without what leads towards the nearest surface, and away from it where it is near.

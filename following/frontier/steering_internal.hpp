@@ -12,18 +12,24 @@ namespace limpet::following::internal {
 /// Leads motions along surfaces that are in their way.
 class Steering {
  public:
-  /// `step`: the longest motion, world. All arguments must outlive this.
-  Steering(const model::View& view, const Clearance& clearance, const kinematics::Posture& posture, double step)
+  /// `step`: the longest motion, > 0. What is given by reference must outlive this.
+  Steering(const model::View& view, const Clearance& clearance, const kinematics::Posture& posture,
+           double step)
       : view_(view), clearance_(clearance), posture_(posture), here_(posture.control_point()), step_(step) {}
 
-  /// A motion to `there`, or a step towards it, that goes straight, if that is safe, or else along the surface
-  /// that is in the way, and off it; where it is too narrow to be safe, one of the two that is clear; else a
-  /// step round what is in the way, or the way out.
+  /// A motion to `there`, or a step towards it, that goes straight, if that is safe, or else along the
+  /// surface that is in the way, and off it; where it is too narrow to be safe, one of the two that is clear;
+  /// else a step along a sensing axis round what is in the way; and else the way out: the clear motion along a
+  /// sensing axis that leads farthest from what is near, or zero.
+  ///
+  ///  (1) it is no longer than the step;
+  ///  (2) it is clear (Clearance::is_clear), or zero.
   Eigen::Vector3d towards(const Eigen::Vector3d& there) const;
   /// Does the straight way keep off everything, with some room to spare?
   bool is_safe(const Eigen::Vector3d& there) const;
 
  private:
+  Eigen::Vector3d shortened(const Eigen::Vector3d& motion) const;
   Eigen::Vector3d bent_off(const Eigen::Vector3d& motion) const;
   Eigen::Vector3d way_round(const Eigen::Vector3d& there) const;
   Eigen::Vector3d way_out() const;

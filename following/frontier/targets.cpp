@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector3d;
 using model::View;
 
-constexpr double kFirst = 0.85;                         ///< λ outside an open edge
+constexpr double kFirst = 0.85;  ///< λ outside an open edge
 
 /// Rotations about an open edge, towards the inside.
 struct Fold {
@@ -114,8 +114,8 @@ void TargetFinder::add_around_point(const View& view, const Vector3d& point, con
                                     std::vector<Target>& targets) const {
   if (view.nearest(point, lambda_, {.points = false})) return;
   const Vector3d normal = (viewpoint - point).normalized();
-  Vector3d along = normal.unitOrthogonal();
-  const Vector3d across = normal.cross(along);
+  if (normal.isZero()) return;
+  const Vector3d along = normal.unitOrthogonal(), across = normal.cross(along);
   for (const Vector3d& way : {along, across, Vector3d(-along), Vector3d(-across)}) {
     const Vector3d at = point + 0.5 * lambda_ * way;
     if (is_open(at, normal)) targets.push_back({at, normal, 0.5});

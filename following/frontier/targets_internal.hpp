@@ -12,17 +12,18 @@
 namespace limpet::following::internal {
 
 /// Finds targets: places 0.85 λ outside an open edge, on its polygon's plane, unless another polygon's plane
-/// cuts them off. Where rays have found the plane to end, the surface is expected
-/// folded round the edge, by 45, 90 and then 135 degrees.
+/// cuts them off. Where rays have found the plane to end, the surface is expected folded round the edge, by
+/// 45, 90 and then 135 degrees.
 class TargetFinder {
  public:
   TargetFinder(const Parameters& parameters, const PlaceMemory& memory)
       : lambda_(parameters.resolution), memory_(memory) {}
 
-  /// Adds the targets outside a part of an open edge, and the borders that it is. Returns what there is to be
-  /// done.
+  /// Adds the target outside a part of an open edge, if there is one, and the border that the part is.
+  /// Returns what there is to be done; a part that closes is done.
   PartState add(const model::View&, const OpenPart&, Outlook&);
-  /// Adds targets around a point segment that is seen from `viewpoint` and near no polygon.
+  /// Adds targets around a point segment that is seen from `viewpoint` and near no polygon; none when the two
+  /// are one place.
   void add_around_point(const model::View&, const Eigen::Vector3d& point, const Eigen::Vector3d& viewpoint,
                         std::vector<Target>&) const;
 

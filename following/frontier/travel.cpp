@@ -36,7 +36,7 @@ Travel::Progress Travel::look(const Vector3d& here, bool has_moved) {
   const bool is_stopped = comes_no_nearer(here) || !has_moved;
   if (is_stopped) visited_.block(way_.back()), ++stops_;
   const bool is_hopeless = stops_ >= kStops || --steps_left_ <= 0;
-  if (is_hopeless) stops_ = 0;
+  if (is_hopeless) begin_anew();
   return is_hopeless ? Progress::hopeless : is_stopped ? Progress::stopped : Progress::good;
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "steering_internal.hpp"
@@ -19,14 +20,16 @@ class Travel {
   /// The control point is here now, having come in a straight line.
   void arrive(const model::View&, const Clearance&, const Eigen::Vector3d& here);
 
-  /// Begins the shortest way over visited places to one that is wanted. Returns whether there is one.
+  /// Begins the shortest way over visited places to one that is wanted, if there is one. Returns whether
+  /// there is. Precondition, as for any beginning: arrive() has told where the control point is.
   bool begin(const std::function<bool(const Eigen::Vector3d&)>& wanted);
   /// Begins a straight way.
   void begin(const Eigen::Vector3d& to);
   void stop() { way_.clear(); }
   /// Something has been found to do.
-  void arrived() { way_.clear(), stops_ = 0; }
+  void arrived() { way_.clear(), begin_anew(); }
   bool is_under_way() const { return !way_.empty(); }
+  /// Precondition: is_under_way().
   const Eigen::Vector3d& goal() const { return way_.front(); }
 
   enum class Progress {
@@ -34,25 +37,31 @@ class Travel {
     stopped,  ///< another way may do
     hopeless  ///< the goal is to be given up
   };
-  /// Looks at how the last motion went. Precondition: is_under_way(), as before that motion.
+  /// Looks at how the last motion went. Precondition: is_under_way(). The caller stops what is not good;
+  /// hopeless comes after a finite number of looks, however often a way is begun in between, unless one
+  /// arrives.
   Progress look(const Eigen::Vector3d& here, bool has_moved);
 
-  /// The next motion. Precondition: is_under_way().
+  /// The next motion. The one that is to reach the goal is not looked at: with it, nothing is under way any
+  /// more. Precondition: is_under_way().
   Eigen::Vector3d next(const Steering&, const Eigen::Vector3d& here);
 
  private:
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+
   void set_way(std::vector<Eigen::Vector3d> way);
+  void begin_anew() { stops_ = 0, idle_ = 0, nearest_ = kFar; }
   bool comes_no_nearer(const Eigen::Vector3d& here);
 
   Visited visited_;
   double lambda_, step_;
   Eigen::Vector3d here_ = Eigen::Vector3d::Zero();
-  std::vector<Eigen::Vector3d> way_;           ///< the next place last
-  long steps_left_ = 0;                        ///< until the goal is given up
-  int stops_ = 0;                              ///< since the last travel that arrived
-  Eigen::Vector3d leg_ = Eigen::Vector3d::Zero();  ///< the next place, when the last motion was chosen
-  double nearest_ = 0;                         ///< that the control point has come to it
-  int idle_ = 0;                               ///< steps since then
+  std::vector<Eigen::Vector3d> way_;               ///< the next place last
+  long steps_left_ = 0;                            ///< until the goal is given up
+  int stops_ = 0;                                  ///< since the last travel that arrived
+  Eigen::Vector3d leg_ = Eigen::Vector3d::Zero();  ///< the next place, at the last look
+  double nearest_ = kFar;                          ///< that the control point has come to it
+  int idle_ = 0;                                   ///< looks since then
 };
 
 }  // namespace limpet::following::internal

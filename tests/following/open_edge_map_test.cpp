@@ -57,12 +57,24 @@ TEST(OpenEdgeMap, EdgesThatWouldCloseAreLeftAloneUnlessSomethingIsLeftNearThem) 
   const auto edges = edges_of(model, segments_of(model)[0]);
   model::Outcome outcome;
   for (const auto& edge : edges) outcome.edges.push_back({edge.segment, edge.id, true, {}, {}});
+  const auto left_alone = [&] {
+    std::vector<OpenPart> parts;
+    map.near({0, 0, 0}, 1, model.view(), parts);
+    EXPECT_FALSE(parts.empty());
+    std::set<std::uint64_t> closing;
+    for (const OpenPart& part : parts)
+      if (part.closes) closing.insert(part.edge.value);
+    return closing;
+  };
+  EXPECT_TRUE(left_alone().empty());
   map.note(outcome);
-  EXPECT_TRUE(edges_in(map, model.view()).empty());
+  EXPECT_EQ(left_alone(), edges_in(map, model.view()));
   EXPECT_FALSE(map.any_wanted({0, 0, 0}, 1));
+  EXPECT_TRUE(map.edges(PartState::wanted).empty());
   outcome.left.push_back({edges[0].segment, edges[0].from, edges[0].to});
   map.note(outcome);
-  EXPECT_TRUE(edges_in(map, model.view()).count(edges[0].id.value));
+  EXPECT_FALSE(left_alone().count(edges[0].id.value));
+  EXPECT_TRUE(map.any_wanted({0, 0, 0}, 1));
 }
 
 TEST(OpenEdgeMap, WhatSeemedDoneIsInsistedOnOnce) {

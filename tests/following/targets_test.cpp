@@ -25,11 +25,12 @@ OpenPart right_side(const model::Model& model, model::SegmentId id, double x) {
 struct Finder {
   PlaceMemory memory{kLambda};
   Parameters parameters = usual_parameters(kLambda);
-  std::vector<Target> targets;
+  Outlook outlook;
+  const std::vector<Target>& targets = outlook.targets;
 
   PartState add(const model::Model& model, const OpenPart& part) {
-    targets.clear();
-    return TargetFinder(parameters, memory).add(model.view(), part, targets);
+    outlook.clear();
+    return TargetFinder(parameters, memory).add(model.view(), part, outlook);
   }
 };
 
@@ -45,6 +46,29 @@ TEST(Targets, LieOutsideTheEdgeOnThePlane) {
     EXPECT_NEAR(target.at.z(), 0, 1e-6);
     EXPECT_NEAR((target.normal - Vector3d(0, 0, 1)).norm(), 0, 1e-6);
   }
+}
+
+TEST(Targets, ComeWithTheBorderThatThePartIs) {
+  const model::Model model = initial_model({{rectangle(0, 0, 1, 1)}});
+  OpenPart part = right_side(model, segments_of(model)[0], 1);
+  Finder finder;
+  const auto border = [&] {
+    finder.add(model, part);
+    EXPECT_EQ(finder.outlook.borders.size(), 1u);
+    const Border found = finder.outlook.borders.at(0);
+    EXPECT_EQ(found.from, part.from);
+    EXPECT_EQ(found.to, part.to);
+    EXPECT_NEAR((found.outward - Vector3d(1, 0, 0)).norm(), 0, 1e-6);
+    EXPECT_NEAR((found.normal - Vector3d(0, 0, 1)).norm(), 0, 1e-6);
+    return found;
+  };
+  EXPECT_TRUE(border().goes_on);
+  const Target first = finder.targets.at(0);
+  for (int i = 0; i < PlaceMemory::kEmpty; ++i) finder.memory.note_empty(first.at, first.normal);
+  EXPECT_FALSE(border().goes_on) << "the surface is expected folded round the edge";
+  part.closes = true;
+  EXPECT_FALSE(border().goes_on);
+  EXPECT_TRUE(finder.targets.empty()) << "what would close is left";
 }
 
 TEST(Targets, EndAtThePlaneOfAWall) {
@@ -81,6 +105,18 @@ TEST(Targets, AreGivenUpByPlace) {
   for (int i = 0; i < PlaceMemory::kBlocked; ++i) finder.memory.note_blocked(target.at, target.normal);
   EXPECT_EQ(finder.add(model, part), PartState::unreachable);
   EXPECT_TRUE(finder.targets.empty());
+}
+
+TEST(Targets, AreGivenUpWhenAimedAtForTooLong) {
+  const model::Model model = initial_model({{rectangle(0, 0, 1, 1)}});
+  const OpenPart part = right_side(model, segments_of(model)[0], 1);
+  Finder finder;
+  for (int i = 0; i < PlaceMemory::kAimed; ++i) {
+    ASSERT_EQ(finder.add(model, part), PartState::wanted) << "step " << i;
+    const Target target = finder.targets.at(0);
+    finder.memory.note_aimed(target.at, target.normal);
+  }
+  EXPECT_EQ(finder.add(model, part), PartState::unreachable);
 }
 
 TEST(Targets, AreInsistedOnThoughThereIsAWall) {
