@@ -46,7 +46,8 @@ void AimChooser::add_candidates(const Target& target, const Search& search) {
     if (cosine < search.least_cosine) continue;
     for (const double height : search.heights) {
       const double range = height * height_ / cosine;
-      if (range <= axis.range) candidates_.push_back({target.at - range * axis.axis - axis.from, target, 0});
+      if (range <= axis.range)
+        candidates_.push_back({target.at - range * axis.axis - axis.from, axis.from, target, 0});
     }
   }
 }
@@ -78,8 +79,8 @@ bool AimChooser::is_good(const model::View& view, const Clearance& clearance, co
   if (margin > 0 ? !clearance.is_safe(view, here_, aim.place, distance)
                  : !clearance.is_clear(view, here_, aim.place))
     return false;
-  const Vector3d way = aim.target.at - aim.place;
-  const auto hit = view.first_hit(aim.place, way, way.norm() - lambda_ / 2);
+  const Vector3d from = aim.place + aim.sensor, way = aim.target.at - from;
+  const auto hit = view.first_hit(from, way, way.norm() - lambda_ / 2);
   return !hit;
 }
 

@@ -16,6 +16,7 @@ namespace limpet::following::internal {
 /// A place for the control point from which a sensing axis goes through a target.
 struct Aim {
   Eigen::Vector3d place;
+  Eigen::Vector3d sensor;  ///< the place of the axis's sensor, from the control point
   Target target;
   double value = 0;  ///< what the readings there are worth, over the root of the steps to get there
 };
@@ -40,8 +41,8 @@ class AimChooser {
   void add_candidates(const std::vector<Target>&, const Search&);
   void add_candidates(const Target&, const Search&);
   double worth(const Eigen::Vector3d& place, ExpectedPlanes&, double least_cosine);
-  /// Can the control point go there, keeping `margin` times the clearance, and does it see the target from
-  /// there?
+  /// Can the control point go there, keeping `margin` times the clearance, and does the sensor see the target
+  /// from there?
   bool is_good(const model::View&, const Clearance&, const ExpectedPlanes&, const Aim&, double margin) const;
 
   double lambda_, height_, step_;

@@ -93,8 +93,8 @@ double free_range(const kinematics::Posture::Sensor& sensor, std::span<const mod
   return free;
 }
 
-/// What of each sensor's ray is known to be free, but for the last bit: a surface a little before the one that
-/// is expected is the same.
+/// What of each sensor's ray is known to be free, but for the last bit: a surface a little before the one
+/// that is expected is the same. A reading may be this far beside its axis.
 std::vector<Ray> free_rays(const Observation& seen, double beside, double last_bit) {
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i) {
@@ -203,12 +203,13 @@ Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
   const Vector3d here = seen.posture.control_point();
   if (travel_->is_under_way()) {
     const auto progress = travel_->look(here, has_moved);
-    if (progress == internal::Travel::Progress::hopeless)
+    if (progress == internal::Travel::Progress::hopeless) {
       open_.give_up(travel_->goal(), aiming_reach());
+      give_up_what_is_near();  // it is looked at at every step, and would be wanted again for ever
+    }
     if (progress != internal::Travel::Progress::good) travel_->stop();
   }
-  if (!travel_->is_under_way() && !begin_travel(seen))
-    return {Vector3d::Zero(), Mode::travel, End::complete};
+  if (!travel_->is_under_way() && !begin_travel(seen)) return {Vector3d::Zero(), Mode::travel, End::complete};
   const View view = seen.model.view();
   const internal::Steering steering(view, clearance(), seen.posture, step(seen));
   return {travel_->next(steering, here), Mode::travel};

@@ -9,9 +9,16 @@ namespace limpet::following::internal {
 
 using Eigen::Vector3d;
 
+namespace {
+
+constexpr double kThere = 0.1;  ///< λ from a place: near enough
+
+}  // namespace
+
 void Travel::arrive(const model::View& view, const Clearance& clearance, const Vector3d& here) {
   visited_.arrive(view, clearance, here);
   here_ = here;
+  if (is_under_way() && (goal() - here).norm() < kThere * lambda_) way_.clear();
 }
 
 bool Travel::begin(const std::function<bool(const Vector3d&)>& wanted) {
@@ -53,7 +60,7 @@ bool Travel::comes_no_nearer(const Vector3d& here) {
 }
 
 Vector3d Travel::next(const Steering& steering, const Vector3d& here) {
-  if (way_.size() > 1 && (way_.back() - here).norm() < 0.1 * lambda_) way_.pop_back();
+  if (way_.size() > 1 && (way_.back() - here).norm() < kThere * lambda_) way_.pop_back();
   // Straight to the farthest place of the way that is in sight.
   constexpr int kPlacesAhead = 4;
   for (int looked = 0; looked < kPlacesAhead && way_.size() > 1; ++looked) {
@@ -61,7 +68,7 @@ Vector3d Travel::next(const Steering& steering, const Vector3d& here) {
     way_.pop_back();
   }
   const Vector3d there = way_.back();
-  if ((there - here).norm() < step_ + 1e-6 * lambda_) way_.pop_back();
+  if (way_.size() > 1 && (there - here).norm() < step_ + 1e-6 * lambda_) way_.pop_back();
   return steering.towards(there);
 }
 

@@ -17,7 +17,8 @@ class Travel {
  public:
   Travel(double resolution, double step) : visited_(resolution), lambda_(resolution), step_(step) {}
 
-  /// The control point is here now, having come in a straight line.
+  /// The control point is here now, having come in a straight line. At the goal nothing is under way any
+  /// more.
   void arrive(const model::View&, const Clearance&, const Eigen::Vector3d& here);
 
   /// Begins the shortest way over visited places to one that is wanted, if there is one. Returns whether
@@ -42,8 +43,7 @@ class Travel {
   /// arrives.
   Progress look(const Eigen::Vector3d& here, bool has_moved);
 
-  /// The next motion. The one that is to reach the goal is not looked at: with it, nothing is under way any
-  /// more. Precondition: is_under_way().
+  /// The next motion. Precondition: is_under_way().
   Eigen::Vector3d next(const Steering&, const Eigen::Vector3d& here);
 
  private:

@@ -6,6 +6,7 @@
 #include <limpet/survey/random.hpp>
 
 #include "initial_model.hpp"
+#include "random_places.hpp"
 
 namespace limpet::following::internal {
 namespace {
@@ -13,6 +14,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kLambda = 0.05;
+
+/// A small face above the plane z = 0, on both sides of which there is room.
+Cycle hidden_by() { return rectangle(0.03, -1, 0.06, 2, 0.2); }
 
 /// The aim of a control point at `posture` that knows of these targets, and of nothing else.
 std::optional<Aim> choose(const model::Model& model, const kinematics::Posture& posture,
@@ -82,6 +86,33 @@ TEST(Aims, PreferAPlaceFromWhichNewGroundIsMet) {
              on_ended = chooser.choose(model.view(), clearance, outlook.targets, ended);
   ASSERT_TRUE(on_open && on_ended);
   EXPECT_GT(on_open->value, on_ended->value);
+}
+
+/// A sensor that looks past the control point from behind, or down from beside it.
+TEST(Aims, LookFromWhereTheSensorIsMounted) {
+  const model::Model model = initial_model({{rectangle(-1, 0, 0, 1)}, {hidden_by()}});
+  kinematics::Robot robot = kinematics::point_robot({4 * kLambda, kLambda, Eigen::Quaterniond::Identity()});
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    survey::Random random(seed);
+    for (auto& sensor : robot.sensors) {
+      sensor.position = random_place(random, kLambda);
+      if (random.below(3) == 0) sensor.position -= random.uniform(0, 4 * kLambda) * sensor.axis;
+    }
+    const Vector3d here(0.05, random.uniform(0.2, 0.8), random.uniform(0.08, 0.15));
+    const Target target{{0.0425, here.y(), 0}, {0, 0, 1}, 1};
+    const auto aim = choose(model, kinematics::Posture(robot, here), {target});
+    if (!aim) continue;
+    ++found;
+    const Vector3d from = aim->place + aim->sensor, way = target.at - from;
+    EXPECT_FALSE(model.view().first_hit(from, way, way.norm() - kLambda));
+    double best = 0;
+    for (const auto& sensor : robot.sensors)
+      if ((sensor.position - aim->sensor).norm() < 1e-9) best = sensor.axis.dot(way.normalized());
+    EXPECT_NEAR(best, 1, 1e-9);
+  }
+  EXPECT_GT(found, 50);
 }
 
 TEST(Aims, AreNoneThroughASurface) {

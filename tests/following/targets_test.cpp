@@ -139,6 +139,10 @@ TEST(Targets, SurroundAPointSegment) {
       .add_around_point(model.view(), {0, 0, 0}, {0, 0, 0.1}, targets);
   ASSERT_EQ(targets.size(), 4u);
   for (const Target& target : targets) EXPECT_NEAR(target.at.norm(), kLambda / 2, 1e-9);
+  targets.clear();
+  TargetFinder(usual_parameters(kLambda), memory)
+      .add_around_point(model.view(), {0, 0, 0}, {0, 0, 0}, targets);
+  EXPECT_TRUE(targets.empty()) << "it is not known which way it faces";
 }
 
 }  // namespace
