@@ -30,9 +30,9 @@ struct FollowOutcome {
   std::vector<Eigen::Vector3d> path;  ///< where the control point truly was at each set
   std::int64_t readings = 0;
   std::array<std::int64_t, following::kModeCount> steps_in_mode{};
-  following::Marks marks;                 ///< by the model before it was finished
-  std::vector<std::size_t> stuck_sensors; ///< whose readings were left out, from when they were found stuck
-  std::vector<double> step_us, model_us;  ///< step_us: empty when nothing was decided, in a replay
+  following::Marks marks;                  ///< by the model before it was finished
+  std::vector<std::size_t> stuck_sensors;  ///< whose readings were left out, from when they were found stuck
+  std::vector<double> step_us, model_us;   ///< step_us: empty when nothing was decided, in a replay
 };
 
 /// A simulated run of following: the loop of thesis §1.2.

@@ -15,9 +15,10 @@ namespace limpet::following {
 ///     const bool stuck = watch.is_stuck(sensor, posture.sensor(sensor).position, distance);
 ///     if (distance && !stuck) readings.push_back(posture.sensor_point(sensor, *distance));
 ///
-/// A surface can give the same distance again and again, but only at places of the sensor that lie in a plane.
-/// So a sensor is stuck when the places at which it has said one distance, in one set after the other, spread
-/// by λ/2 (standard deviation) in every direction of space: more than the next of parallel planes is off.
+/// A surface can give the same distance again and again, but only at places of the sensor that lie in a
+/// plane. So a sensor is stuck when the places at which it has said one distance, in one set after the other,
+/// spread by λ/2 (standard deviation) in every direction of space: more than the next of parallel planes is
+/// off.
 class SensorWatch {
  public:
   /// Throws std::invalid_argument unless the resolution λ is positive.
@@ -32,9 +33,9 @@ class SensorWatch {
 
  private:
   struct Record {
-    std::optional<double> distance;  ///< the last one
-    double count = 0;      ///< of sets with it
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< of the sensor's positions then
+    std::optional<double> distance;                    ///< the last one
+    double count = 0;                                  ///< of sets with it
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();    ///< of the sensor's positions then
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< Σ (position − mean)(position − mean)ᵀ
     bool stuck = false;
   };

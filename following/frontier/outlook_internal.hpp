@@ -25,8 +25,8 @@ struct Border {
 struct Outlook {
   std::vector<Target> targets;
   std::vector<Border> borders;
-  std::vector<Eigen::Vector3d> points;  ///< the point segments
-  std::vector<Eigen::Vector3d> empty;   ///< places where surface was expected, and rays met none
+  std::vector<Eigen::Vector3d> points;     ///< the point segments
+  std::vector<Eigen::Vector3d> empty;      ///< places where surface was expected, and rays met none
   std::vector<Eigen::Vector3d> suspected;  ///< places up to which the surface may go on, to be kept off
 
   void clear() { targets.clear(), borders.clear(), points.clear(), empty.clear(), suspected.clear(); }

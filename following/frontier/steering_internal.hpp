@@ -19,8 +19,8 @@ class Steering {
 
   /// A motion to `there`, or a step towards it, that goes straight, if that is safe, or else along the
   /// surface that is in the way, and off it; where it is too narrow to be safe, one of the two that is clear;
-  /// else a step along a sensing axis round what is in the way; and else the way out: the clear motion along a
-  /// sensing axis that leads farthest from what is near, or zero.
+  /// else a step along a sensing axis round what is in the way; and else the way out: the clear motion along
+  /// a sensing axis that leads farthest from what is near, or zero.
   ///
   ///  (1) it is no longer than the step;
   ///  (2) it is clear (Clearance::is_clear), or zero.
