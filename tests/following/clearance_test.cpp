@@ -54,6 +54,17 @@ TEST(Clearance, ASafePlanKeepsOffSuspectedPlaces) {
   EXPECT_TRUE(clearance.is_safe(model.view(), from, {0.3, 0, 0}, 0.1));
 }
 
+/// Sets that find nothing count, too: what is wrong does not stay in the way of a robot that waits.
+TEST(Clearance, ReadingsAreForgottenAfter80Sets) {
+  const model::Model model = initial_model({{rectangle(10, 10, 11, 11)}});
+  Clearance clearance(kLeast);
+  clearance.remember(std::vector<model::SensorPoint>{{{0.02, 0, 0}, {1, 0, 0}, 0.1}});
+  for (int set = 1; set < 80; ++set) clearance.remember({});
+  EXPECT_EQ(clearance.at(model.view(), {0, 0, 0}, 1), 0.02);
+  clearance.remember({});
+  EXPECT_EQ(clearance.at(model.view(), {0, 0, 0}, 1), 1);
+}
+
 TEST(Clearance, FromTooNearOnlyWaysThatLeadAwayAreClear) {
   const model::Model model = initial_model({{rectangle(-1, -1, 1, 1)}});
   const Clearance clearance(kLeast);

@@ -77,6 +77,19 @@ TEST(OpenEdgeMap, EdgesThatWouldCloseAreLeftAloneUnlessSomethingIsLeftNearThem) 
   EXPECT_TRUE(map.any_wanted({0, 0, 0}, 1));
 }
 
+TEST(OpenEdgeMap, WhatWasUnreachableCanBeTriedAgain) {
+  const model::Model model = initial_model({{rectangle(0, 0, 0.1, 0.1)}});
+  OpenEdgeMap map(0.05);
+  map.read(model.view());
+  EXPECT_FALSE(map.retry()) << "nothing is unreachable";
+  map.give_up({0, 0, 0}, 1);
+  EXPECT_FALSE(map.any_wanted({0, 0, 0}, 1));
+  EXPECT_EQ(map.edges(PartState::unreachable).size(), 4u);
+  EXPECT_TRUE(map.retry());
+  EXPECT_TRUE(map.any_wanted({0, 0, 0}, 1));
+  EXPECT_TRUE(map.edges(PartState::unreachable).empty());
+}
+
 TEST(OpenEdgeMap, WhatSeemedDoneIsInsistedOnOnce) {
   const model::Model model = initial_model({{rectangle(0, 0, 0.05, 0.05)}});
   OpenEdgeMap map(0.05);

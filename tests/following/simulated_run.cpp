@@ -17,7 +17,7 @@ app::FollowSetup setup_of(const RunOptions& options) {
   app::SceneFile scene;
   scene.world.mesh = options.shape;
   scene.world.initial_faces = options.known;
-  scene.robot.heading.random = true;
+  scene.robot.heading.random = options.random_heading;
   scene.parameters.resolution = options.resolution;
   scene.errors.noise = options.noise;
   scene.seed = scene.errors.seed = options.seed;
@@ -51,6 +51,7 @@ RunResult run_following(const RunOptions& options,
     measure_distance(step.seen, step.motion, setup.following.clearance(), result);
   });
   result.places = outcome.path;
+  result.stuck_sensors = outcome.stuck_sensors;
   result.sets = static_cast<int>(outcome.path.size());
   result.sets_by_mode = outcome.steps_in_mode;
   result.clearance =

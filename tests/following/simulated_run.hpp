@@ -22,7 +22,8 @@ struct RunOptions {
   Strategy strategy = Strategy::thesis;
   std::uint64_t seed = 1;  ///< of the start, the heading and the noise
   int most_sets = 60000;
-  std::vector<int> known;  ///< faces of the mesh that are given as initial model segments
+  bool random_heading = true;  ///< or along the axes
+  std::vector<int> known;      ///< faces of the mesh that are given as initial model segments
 };
 
 struct RunResult {
@@ -39,6 +40,7 @@ struct RunResult {
   double encroachment = 0;
   std::array<std::int64_t, kModeCount> sets_by_mode{};
   std::vector<Eigen::Vector3d> places;  ///< of the control point, at each set
+  std::vector<std::size_t> stuck_sensors;
 
   bool closed() const { return polygons > 0 && open_edges == 0; }
 };
