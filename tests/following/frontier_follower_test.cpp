@@ -77,6 +77,20 @@ void expect_end(double ceiling, int from, const std::function<Vector3d(const Vec
   ADD_FAILURE() << "it has not ended";
 }
 
+/// From twice as far as usual, the first points are far from each other.
+TEST(FrontierFollower, FindsAFirstPolygonFromFarAway) {
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    SCOPED_TRACE(seed);
+    RunOptions options;
+    options.strategy = Strategy::frontier;
+    options.seed = seed;
+    options.resolution = 0.025;
+    options.reach = 2;
+    options.most_sets = 150;
+    EXPECT_GT(run_following(options).polygons, 0);
+  }
+}
+
 TEST(FrontierFollower, EndsThoughTheRobotStandsStill) {
   for (const double ceiling : {0.05, 1.0})
     for (const int from : {0, 1, 50, 200, 400}) {

@@ -19,6 +19,8 @@ app::FollowSetup setup_of(const RunOptions& options) {
   scene.world.initial_faces = options.known;
   scene.robot.heading.random = options.random_heading;
   scene.parameters.resolution = options.resolution;
+  scene.parameters.follow_distance = scene.parameters.step = 2 * options.reach * options.resolution;
+  scene.robot.sensing_range = 4 * options.reach * options.resolution;
   scene.errors.noise = options.noise;
   scene.seed = scene.errors.seed = options.seed;
   scene.strategy = options.strategy;

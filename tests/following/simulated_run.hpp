@@ -23,6 +23,7 @@ struct RunOptions {
   std::uint64_t seed = 1;  ///< of the start, the heading and the noise
   int most_sets = 60000;
   bool random_heading = true;  ///< or along the axes
+  double reach = 1;            ///< δ, σ_max and the sensing range, over what they usually are
   std::vector<int> known;      ///< faces of the mesh that are given as initial model segments
 };
 
