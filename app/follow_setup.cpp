@@ -36,6 +36,14 @@ SceneFile scene_of(const FollowArguments& args) {
   return scene;
 }
 
+/// Throws UsageError when an error is said of a sensor that the robot does not have.
+void require_sensors(const kinematics::Robot& robot, const simulation::SensingErrors& errors) {
+  for (const auto& stuck : errors.stuck)
+    if (stuck.sensor >= robot.sensors.size())
+      throw UsageError("stuck in [errors]: the robot has no sensor " + std::to_string(stuck.sensor) +
+                       "; its sensors are 0 to " + std::to_string(robot.sensors.size() - 1));
+}
+
 double resolution_of(const SceneFile& scene, const simulation::BuiltWorld& world) {
   if (scene.parameters.resolution) return *scene.parameters.resolution;
   if (world.truth) return chosen_resolution(*world.truth);
@@ -104,6 +112,7 @@ FollowSetup make_setup(const SceneFile& scene) {
   setup.following = following_of(scene, resolution);
   setup.robot = robot_of(scene, setup.following, setup.seed);
   setup.model = model_of(scene, setup.world, resolution);
+  require_sensors(setup.robot, scene.errors);
   setup.errors = scene.errors;
   setup.strategy = scene.strategy.value_or(following::Strategy::frontier);
   setup.max_sets = scene.max_sets.value_or(1'000'000);

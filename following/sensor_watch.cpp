@@ -1,30 +1,31 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/following/sensor_watch.hpp>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
 #include <stdexcept>
 
 namespace limpet::following {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 SensorWatch::SensorWatch(double resolution, std::size_t sensors)
-    : least_spread_(resolution / 2), records_(sensors) {
+    : least_volume_(1e-3 * resolution * resolution * resolution), records_(sensors) {
   if (!(resolution > 0)) throw std::invalid_argument("the resolution λ must be positive");
 }
 
 bool SensorWatch::is_stuck(std::size_t sensor, const Vector3d& position, std::optional<double> distance) {
+  constexpr int kOffPlane = 16;
   Record& record = records_[sensor];
   if (record.stuck) return true;
-  if (distance != record.distance) record = {distance};
+  if (distance != record.distance) record = {distance, {}, 0, false};
   if (!distance) return false;
-  ++record.count;
-  const Vector3d off = position - record.mean;
-  record.mean += off / record.count;
-  record.spread += off * (position - record.mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(record.spread / record.count, Eigen::EigenvaluesOnly);
-  return record.stuck = axes.eigenvalues()[0] > least_spread_ * least_spread_;
+  auto& p = record.places;
+  if (p.size() == 4) p.erase(p.begin());
+  p.push_back(position);
+  if (p.size() == 4 && std::abs((p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0])) > least_volume_)
+    ++record.off_plane;
+  return record.stuck = record.off_plane >= kOffPlane;
 }
 
 std::vector<std::size_t> SensorWatch::stuck() const {

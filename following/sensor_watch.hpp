@@ -15,10 +15,10 @@ namespace limpet::following {
 ///     const bool stuck = watch.is_stuck(sensor, posture.sensor(sensor).position, distance);
 ///     if (distance && !stuck) readings.push_back(posture.sensor_point(sensor, *distance));
 ///
-/// A surface can give the same distance again and again, but only at places of the sensor that lie in a
-/// plane. So a sensor is stuck when the places at which it has said one distance, in one set after the other,
-/// spread by λ/2 (standard deviation) in every direction of space: more than the next of parallel planes is
-/// off.
+/// A plane can give the same distance again and again, but only at places of the sensor that lie in a plane;
+/// several planes, at places that lie in several. So four places in a row that do not lie in a plane, at
+/// which a sensor says one distance, are a turn from one plane to another, or a sensor that is stuck; and one
+/// that says the same distance through 16 of them, in one set after the other, is stuck.
 class SensorWatch {
  public:
   /// Throws std::invalid_argument unless the resolution λ is positive.
@@ -33,13 +33,13 @@ class SensorWatch {
 
  private:
   struct Record {
-    std::optional<double> distance;                    ///< the last one
-    double count = 0;                                  ///< of sets with it
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();    ///< of the sensor's positions then
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< Σ (position − mean)(position − mean)ᵀ
+    std::optional<double> distance;       ///< the last one
+    std::vector<Eigen::Vector3d> places;  ///< of the sensor at the last sets with it, up to four
+    int off_plane = 0;                    ///< sets with it at which the last four did not lie in a plane
     bool stuck = false;
   };
-  double least_spread_;
+
+  double least_volume_;
   std::vector<Record> records_;  ///< by sensor
 };
 
