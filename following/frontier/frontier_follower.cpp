@@ -138,11 +138,10 @@ void FrontierFollower::look_around(const Observation& seen) {
   for (const View::Nearest& point : points_) outlook_.points.push_back(point.at);
   empty_.for_each_within(here, outlook_reach(),
                          [&](const Vector3d& place, Nothing) { outlook_.empty.push_back(place); });
-  // Before there is any edge near, one point after the other: some are too far from all others.
+  // One point after the other: some are too far from all others, and on a curved surface few become polygons.
   for (const View::Nearest& point : points_) {
     if (!outlook_.targets.empty() || point.distance >= parameters().sensing_range) break;
     finder_.add_around_point(view, point.at, here, outlook_.targets);
-    if (!parts_.empty()) break;
   }
   planes_.emplace(lambda(), outlook_);
 }

@@ -27,13 +27,8 @@ TEST_P(FrontierRun, EndsByItselfWithAClosedModelAndKeepsItsDistance) {
   options.shape = world;
   options.noise = noise;
   options.strategy = Strategy::frontier;
-  const Parameters parameters = usual_parameters(options.resolution);
   const RunResult run = run_following(options);
-  EXPECT_EQ(run.end, End::complete);
-  EXPECT_TRUE(run.closed()) << run.open_edges << " open edges";
-  EXPECT_EQ(run.polygons, faces);
-  EXPECT_LT(run.encroachment, 1e-9);
-  EXPECT_GT(run.clearance, 0.7 * parameters.clearance());
+  expect_good(run, faces, 0.7);
   EXPECT_LT(run.sets, 350 * area) << "the thesis's strategy takes 600 a unit of area";
 }
 
@@ -88,6 +83,21 @@ TEST(FrontierFollower, FindsAFirstPolygonFromFarAway) {
     options.reach = 2;
     options.most_sets = 150;
     EXPECT_GT(run_following(options).polygons, 0);
+  }
+}
+
+/// On facets as wide as λ few points become polygons; those that do not are looked around, too.
+TEST(FrontierFollower, GoesOnOverACurvedSurface) {
+  for (const std::uint64_t seed : {1, 2}) {
+    SCOPED_TRACE(seed);
+    RunOptions options;
+    options.shape = "sphere:32";
+    options.strategy = Strategy::frontier;
+    options.seed = seed;
+    options.most_sets = 150;
+    const RunResult run = run_following(options);
+    EXPECT_EQ(run.end, End::none) << "complete after " << run.sets << " sets";
+    EXPECT_GT(run.polygons, 10);
   }
 }
 

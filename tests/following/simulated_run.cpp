@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include "simulated_run.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <limpet/app/follow_run.hpp>
 #include <limpet/app/follow_setup.hpp>
@@ -64,6 +66,14 @@ RunResult run_following(const RunOptions& options,
   run.model().view().open_edges(open);
   result.open_edges = std::ssize(open);
   return result;
+}
+
+void expect_good(const RunResult& run, std::int64_t polygons, double least_clearance_share) {
+  EXPECT_EQ(run.end, End::complete);
+  EXPECT_TRUE(run.closed()) << run.open_edges << " open edges";
+  EXPECT_EQ(run.polygons, polygons);
+  EXPECT_LT(run.encroachment, 1e-9);
+  EXPECT_GT(run.clearance, least_clearance_share * usual_parameters(RunOptions{}.resolution).clearance());
 }
 
 Motion motion_at_rest(Strategy strategy, const std::vector<model::SensorPoint>& readings, int sets,

@@ -49,6 +49,10 @@ struct RunResult {
 RunResult run_following(const RunOptions&,
                         const std::function<void(const Observation&, const Motion&)>& watch = {});
 
+/// Expects that a run ended by itself with a closed model of so many polygons, that no motion encroached on
+/// what it was to keep off, and that the truth was never nearer than this part of δ − λ.
+void expect_good(const RunResult&, std::int64_t polygons, double least_clearance_share);
+
 /// The last motion of a follower that is told the same readings at the same place, (0, 0, 0.1), for up to
 /// `sets` sets.
 Motion motion_at_rest(Strategy, const std::vector<model::SensorPoint>& readings, int sets, model::Model&);

@@ -25,13 +25,8 @@ TEST_P(ThesisRun, EndsByItselfWithAClosedModelAndKeepsItsDistance) {
   RunOptions options;
   options.shape = world;
   options.noise = noise;
-  const Parameters parameters = usual_parameters(options.resolution);
   const RunResult run = run_following(options);
-  EXPECT_EQ(run.end, End::complete);
-  EXPECT_TRUE(run.closed()) << run.open_edges << " open edges";
-  EXPECT_EQ(run.polygons, faces);
-  EXPECT_LT(run.encroachment, 1e-9);
-  EXPECT_GT(run.clearance, 0.5 * parameters.clearance());
+  expect_good(run, faces, 0.5);
   for (const Mode mode : {Mode::current_segment, Mode::current_edge, Mode::gap})
     EXPECT_GT(run.sets_by_mode[static_cast<std::size_t>(mode)], 0) << name_of(mode);
 }
