@@ -46,6 +46,7 @@ class FrontierFollower : public Follower {
   void look_at_what_was_read(const Observation&);
   void note_empty(const std::vector<Ray>&);
   void look_around(const Observation&);
+  void look_around_points(const View&, const Vector3d& here);
   void close_aim(const Vector3d& here, bool has_moved);
   Motion go_on(const Observation&);
   void give_up_what_is_near();
@@ -126,6 +127,21 @@ void FrontierFollower::note_empty(const std::vector<Ray>& rays) {
       empty_.put(place, {});
 }
 
+/// Where there are no other targets, finds some around points: one after the other, since on a curved surface
+/// few become polygons. Beside edges that are known, points that are alone are outliers, but for the nearest.
+void FrontierFollower::look_around_points(const View& view, const Vector3d& here) {
+  constexpr double kTogether = 1.5;  // λ
+  for (const View::Nearest& point : points_) {
+    if (!outlook_.targets.empty() || point.distance >= parameters().sensing_range) return;
+    const auto is_beside = [&](const View::Nearest& other) {
+      return &other != &point && (other.at - point.at).norm() < kTogether * lambda();
+    };
+    if (&point == &points_.front() || parts_.empty() ||
+        std::any_of(points_.begin(), points_.end(), is_beside))
+      finder_.add_around_point(view, point.at, here, outlook_.targets);
+  }
+}
+
 /// Finds what is known near the control point, and expected.
 void FrontierFollower::look_around(const Observation& seen) {
   const View view = seen.model.view();
@@ -138,11 +154,7 @@ void FrontierFollower::look_around(const Observation& seen) {
   for (const View::Nearest& point : points_) outlook_.points.push_back(point.at);
   empty_.for_each_within(here, outlook_reach(),
                          [&](const Vector3d& place, Nothing) { outlook_.empty.push_back(place); });
-  // One point after the other: some are too far from all others, and on a curved surface few become polygons.
-  for (const View::Nearest& point : points_) {
-    if (!outlook_.targets.empty() || point.distance >= parameters().sensing_range) break;
-    finder_.add_around_point(view, point.at, here, outlook_.targets);
-  }
+  look_around_points(view, here);
   planes_.emplace(lambda(), outlook_);
 }
 
@@ -210,7 +222,10 @@ Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
       open_.give_up(travel_->goal(), aiming_reach());
       give_up_what_is_near();  // it is looked at at every step, and would be wanted again for ever
     }
-    if (progress != internal::Travel::Progress::good) travel_->stop();
+    const bool goes_on = progress == internal::Travel::Progress::good ||
+                         (progress == internal::Travel::Progress::stopped &&
+                          travel_->go_round(seen.model.view(), clearance()));
+    if (!goes_on) travel_->stop();
   }
   if (!travel_->is_under_way() && !begin_travel(seen)) return {Vector3d::Zero(), Mode::travel, End::complete};
   const View view = seen.model.view();

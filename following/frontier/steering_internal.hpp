@@ -25,6 +25,10 @@ class Steering {
   ///  (1) it is no longer than the step;
   ///  (2) it is clear (Clearance::is_clear), or zero.
   Eigen::Vector3d towards(const Eigen::Vector3d& there) const;
+  /// A motion straight to `there`, or a step of it.
+  Eigen::Vector3d straight(const Eigen::Vector3d& there) const { return shortened(there - here_); }
+  /// Is the straight way clear?
+  bool is_clear(const Eigen::Vector3d& there) const { return clearance_.is_clear(view_, here_, there); }
   /// Does the straight way keep off everything, with some room to spare?
   bool is_safe(const Eigen::Vector3d& there) const;
 

@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include "travel_internal.hpp"
 
+#include "detour_internal.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,6 +38,22 @@ void Travel::set_way(std::vector<Vector3d> way) {
   steps_left_ = std::lround(kSteps + kDetour * length / step_);
   way_ = std::move(way);
   std::reverse(way_.begin(), way_.end());
+  planned_ = way_.size();
+}
+
+bool Travel::go_round(const model::View& view, const Clearance& clearance) {
+  constexpr double kSpacing = 0.5;  // λ
+  constexpr int kPlacesAhead = 4;   // the next one may be one that is not clear any more
+  if (is_on_detour()) return false;
+  for (int looked = 0; looked < kPlacesAhead && !way_.empty(); ++looked, way_.pop_back()) {
+    const std::vector<Vector3d> round = detour(view, clearance, here_, way_.back(), kSpacing * lambda_);
+    if (round.empty()) continue;
+    planned_ = way_.size();
+    way_.insert(way_.end(), round.rbegin(), round.rend());
+    steps_left_ += std::ssize(round);
+    return true;
+  }
+  return false;
 }
 
 Travel::Progress Travel::look(const Vector3d& here, bool has_moved) {
@@ -64,12 +82,14 @@ Vector3d Travel::next(const Steering& steering, const Vector3d& here) {
   // Straight to the farthest place of the way that is in sight.
   constexpr int kPlacesAhead = 4;
   for (int looked = 0; looked < kPlacesAhead && way_.size() > 1; ++looked) {
-    if (!steering.is_safe(way_[way_.size() - 2])) break;
+    const Vector3d& next = way_[way_.size() - 2];
+    if (is_on_detour() ? !steering.is_clear(next) : !steering.is_safe(next)) break;
     way_.pop_back();
   }
   const Vector3d there = way_.back();
+  const bool is_straight = is_on_detour();
   if (way_.size() > 1 && (there - here).norm() < step_ + 1e-6 * lambda_) way_.pop_back();
-  return steering.towards(there);
+  return is_straight ? steering.straight(there) : steering.towards(there);
 }
 
 }  // namespace limpet::following::internal

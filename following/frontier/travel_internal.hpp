@@ -27,6 +27,9 @@ class Travel {
   /// Begins a straight way.
   void begin(const Eigen::Vector3d& to);
   void stop() { way_.clear(); }
+  /// Goes round what has stopped the motion to the next place. Returns whether there is such a way; not when
+  /// the motion was on one. Precondition: is_under_way().
+  bool go_round(const model::View&, const Clearance&);
   /// Something has been found to do.
   void arrived() { way_.clear(), begin_anew(); }
   bool is_under_way() const { return !way_.empty(); }
@@ -50,6 +53,7 @@ class Travel {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
   void set_way(std::vector<Eigen::Vector3d> way);
+  bool is_on_detour() const { return way_.size() > planned_; }
   void begin_anew() { stops_ = 0, idle_ = 0, nearest_ = kFar; }
   bool comes_no_nearer(const Eigen::Vector3d& here);
 
@@ -57,6 +61,7 @@ class Travel {
   double lambda_, step_;
   Eigen::Vector3d here_ = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> way_;               ///< the next place last
+  std::size_t planned_ = 0;                        ///< places of the way; more come of a detour
   long steps_left_ = 0;                            ///< until the goal is given up
   int stops_ = 0;                                  ///< since the last travel that arrived
   Eigen::Vector3d leg_ = Eigen::Vector3d::Zero();  ///< the next place, at the last look

@@ -118,6 +118,9 @@ TEST_F(Follow, RefusesWhatMakesNoSense) {
   expect_refused(follow({"cuboid"}), "cuboid");
   expect_refused(follow({path("none.off")}), "none.off");
   expect_refused(follow({}), "SCENE");
+  const std::string stuck =
+      "[world]\nshape = \"cube\"\n[errors]\nstuck = [{ sensor = 99, distance = 0.1 }]\n";
+  expect_refused(follow({write("s.toml", stuck)}), "no sensor 99");
   EXPECT_FALSE(exists("m.limpet"));
 }
 

@@ -24,7 +24,7 @@ struct Traveller {
   Travel travel{kLambda, kStep};
   Vector3d here = Vector3d::Zero();
   std::function<Vector3d(const Vector3d&)> made = [](const Vector3d& motion) { return motion; };
-  int looks = 0, stopped = 0, hopeless = 0;
+  int looks = 0, stopped = 0, hopeless = 0, detours = 0;
 
   /// With nothing near but the faces.
   explicit Traveller(const std::vector<std::vector<Cycle>>& faces = {{rectangle(0, 0, 1, 1, 10)}})
@@ -50,12 +50,17 @@ struct Traveller {
   }
   /// Travels, by `begin` again after each stop, until the travel is over.
   void run(const std::function<bool()>& begin) {
-    looks = stopped = hopeless = 0;
+    looks = stopped = hopeless = detours = 0;
     if (!begin()) return;
     while (travel.is_under_way() && looks < kManyLooks) {
       const auto progress = step();
       stopped += progress == Travel::Progress::stopped, hopeless += progress == Travel::Progress::hopeless;
-      if (progress != Travel::Progress::good) travel.stop();
+      if (progress == Travel::Progress::good) continue;
+      if (progress == Travel::Progress::stopped && travel.go_round(model.view(), clearance)) {
+        ++detours;
+        continue;
+      }
+      travel.stop();
       if (progress == Travel::Progress::stopped) begin();
     }
     EXPECT_LT(looks, kManyLooks);
@@ -189,6 +194,24 @@ TEST(Travel, AStraightWayArrivesOrEnds) {
   before_wall.run_straight({0.5, 0, 0});
   EXPECT_EQ(before_wall.hopeless, 1) << "the goal lies on a surface";
   EXPECT_LT(before_wall.here.x(), 0.5);
+}
+
+TEST(Travel, GoesRoundWhatHasComeToBeInTheWay) {
+  for (const double gap : {0.1, 0.16, 0.2}) {
+    SCOPED_TRACE("gap at " + std::to_string(gap));
+    Traveller traveller;
+    traveller.go_along({0, 0, 0}, {1, 0, 0});
+    std::vector<model::SensorPoint> screen;  // with one hole in it, beside the way
+    for (double y = -0.4; y <= 0.4; y += kLambda / 2)
+      for (double z = -0.4; z <= 0.4; z += kLambda / 2)
+        if (const Vector3d p(0.5, y, z); (p - Vector3d(0.5, gap, 0)).norm() > 1.6 * kLambda)
+          screen.emplace_back().position = p;
+    traveller.clearance.remember(screen);
+    traveller.run_to_where(is_on_the_left);
+    EXPECT_LT(traveller.here.x(), 0.01 + 0.1 * kLambda);
+    EXPECT_GE(traveller.detours, 1);
+    EXPECT_EQ(traveller.hopeless, 0);
+  }
 }
 
 TEST(Travel, IsNotHinderedByAnEarlierOneToTheSamePlace) {
