@@ -11,15 +11,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kGrazing = 1e-6;  // a smaller cosine is no incidence
 constexpr double kLift = 1e-9;  // off the surface, as a fraction of the range, before one looks along a ray
 constexpr double kLeastStep = 1.0 / 16;  // along a ray, in pitches of the lattice
 
 /// The axes that meet a face from outside, the steepest first: it most often sees.
-std::vector<Vector3d> axes_onto(const Vector3d& normal, const std::vector<Vector3d>& axes) {
+std::vector<Vector3d> axes_onto(const Vector3d& normal, const Sensing& sensing) {
   std::vector<Vector3d> onto;
-  for (const Vector3d& axis : axes)
-    if (axis.dot(normal) < -kGrazing) onto.push_back(axis);
+  for (const Vector3d& axis : sensing.axes)
+    if (axis.dot(normal) <= -sensing.least_cosine) onto.push_back(axis);
   std::stable_sort(onto.begin(), onto.end(),
                    [&](const Vector3d& a, const Vector3d& b) { return a.dot(normal) < b.dot(normal); });
   return onto;
@@ -151,7 +150,7 @@ Reachability find_reachable(const simulation::Mesh& mesh, const TrueSurface& tru
   std::vector<Vector3d> axes;
   int face = -1;
   for (const SurfaceSample& sample : result.samples) {
-    if (sample.face != face) axes = axes_onto(sample.normal, sensing.axes);
+    if (sample.face != face) axes = axes_onto(sample.normal, sensing);
     face = sample.face;
     Vector3d from;
     result.verdicts.push_back(search.sighted(sample.at, sample.normal, axes, from));

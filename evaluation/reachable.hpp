@@ -26,6 +26,9 @@ std::vector<SurfaceSample> samples_of(const simulation::Mesh& mesh, double spaci
 struct Sensing {
   std::vector<Eigen::Vector3d> axes;  ///< sensing axes in the world, unit vectors
   double range = 0;                   ///< sensing range, > 0
+  /// Of the angle of incidence, > 0; 85°. At grazing incidence a range finder has no return; and a surface
+  /// that is off by a tenth of the resolution is met more than the resolution away.
+  double least_cosine = 0.087;
 };
 
 /// The sensors of a robot as it stands. Throws std::invalid_argument if one of them is not at the control
@@ -48,8 +51,8 @@ struct Reachability {
   std::vector<Face> faces;  ///< for each true face
 };
 
-/// Finds what is reachable: a sample p is when for one of the sensing axes a, at less than a right angle to
-/// the inward normal, there is a t in (0, range] such that
+/// Finds what is reachable: a sample p is when for one of the sensing axes a, with no more than the
+/// largest incidence, there is a t in (0, range] such that
 ///   - the robot gets to p − t·a (FreeSpace::holds()), and
 ///   - nothing of the surface lies between.
 /// t is searched with steps that cannot pass a place that keeps the clearance, or not shorter than a
