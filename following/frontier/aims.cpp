@@ -37,7 +37,6 @@ AimChooser::AimChooser(const Parameters& parameters, const kinematics::Posture& 
     const auto sensor = posture.sensor(i);
     axes_.push_back({sensor.position - here_, sensor.axis, kSure * sensor.range});
   }
-  rays_ = axes_;
 }
 
 void AimChooser::add_candidates(const Target& target, const Search& search) {
@@ -67,11 +66,6 @@ void AimChooser::add_candidates(const std::vector<Target>& targets, const Search
   if (candidates_.size() > search.candidates) candidates_.resize(search.candidates);
 }
 
-double AimChooser::worth(const Vector3d& place, ExpectedPlanes& planes, double least_cosine) {
-  for (std::size_t i = 0; i < axes_.size(); ++i) rays_[i].from = place + axes_[i].from;
-  return planes.worth(rays_, least_cosine);
-}
-
 bool AimChooser::is_good(const model::View& view, const Clearance& clearance, const ExpectedPlanes& planes,
                          const Aim& aim, double margin) const {
   const double distance = margin * clearance.least();
@@ -96,9 +90,10 @@ std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& 
                                       const std::vector<Target>& targets, ExpectedPlanes& planes,
                                       const Search& search) {
   add_candidates(targets, search);
+  planes.look_along(axes_, search.least_cosine);
   for (Aim& aim : candidates_) {
     const double steps = std::max(1.0, std::ceil((aim.place - here_).norm() / step_ - 0.05));
-    aim.value = worth(aim.place, planes, search.least_cosine) / std::sqrt(steps);
+    aim.value = planes.worth(aim.place) / std::sqrt(steps);
   }
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Aim& a, const Aim& b) { return a.value > b.value; });

@@ -40,7 +40,6 @@ class AimChooser {
                             const Search&);
   void add_candidates(const std::vector<Target>&, const Search&);
   void add_candidates(const Target&, const Search&);
-  double worth(const Eigen::Vector3d& place, ExpectedPlanes&, double least_cosine);
   /// Can the control point go there, keeping `margin` times the clearance, and does the sensor see the target
   /// from there?
   bool is_good(const model::View&, const Clearance&, const ExpectedPlanes&, const Aim&, double margin) const;
@@ -48,7 +47,6 @@ class AimChooser {
   double lambda_, height_, step_;
   Eigen::Vector3d here_;
   std::vector<Ray> axes_;  ///< from the control point as origin
-  std::vector<Ray> rays_;  ///< the same from a candidate
   std::vector<Aim> candidates_;
 };
 

@@ -7,6 +7,7 @@
 namespace limpet::following::internal {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kMeets = 0.5;    ///< λ between a reading and a target that it serves
@@ -14,18 +15,14 @@ constexpr double kNearPlane = 1;  ///< λ from a plane: what is felt there, or e
 
 }  // namespace
 
-std::optional<Vector3d> crossing(const Ray& ray, const Vector3d& normal, double height, double least_cosine) {
-  const double fall = -ray.axis.dot(normal);
-  if (fall < least_cosine) return std::nullopt;
-  const double range = (normal.dot(ray.from) - height) / fall;
-  if (range < 0 || range > ray.range) return std::nullopt;
-  return ray.from + range * ray.axis;
-}
-
 ExpectedPlanes::ExpectedPlanes(double resolution, const Outlook& outlook)
     : lambda_(resolution), targets_(outlook.targets), met_(targets_.size(), 0) {
-  for (std::size_t i = 0; i < targets_.size(); ++i)
-    plane_at(targets_[i].at, targets_[i].normal).targets.push_back(i);
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const Vector3d& at = targets_[i].at;
+    Plane& plane = plane_at(at, targets_[i].normal);
+    const double lift = plane.normal.dot(at) - plane.height;
+    plane.targets.push_back({i, plane.ground.flat(at), lift * lift});
+  }
   for (const Border& border : outlook.borders)
     plane_at((border.from + border.to) / 2, border.normal).ground.add(border);
   for (Plane& plane : planes_) {
@@ -52,25 +49,44 @@ ExpectedPlanes::Plane& ExpectedPlanes::plane_at(const Vector3d& place, const Vec
 }
 
 /// The weight of the nearest target, less beside it, or that of new ground.
-ExpectedPlanes::Worth ExpectedPlanes::worth(const Plane& plane, const Vector3d& meets) const {
+ExpectedPlanes::Worth ExpectedPlanes::worth(const Plane& plane, const Vector2d& meets) const {
   const double near2 = kMeets * kMeets * lambda_ * lambda_;
   double best = near2;
   std::optional<std::size_t> found;
-  for (const std::size_t i : plane.targets)
-    if (const double d2 = (targets_[i].at - meets).squaredNorm(); met_[i] != place_number_ && d2 < best)
-      best = d2, found = i;
-  if (!found) return {plane.ground.at(meets), found};
+  for (const PlaneTarget& target : plane.targets) {
+    const double d2 = (target.flat - meets).squaredNorm() + target.lift2;
+    if (met_[target.target] != place_number_ && d2 < best) best = d2, found = target.target;
+  }
+  if (!found) return {plane.ground.at_flat(meets), found};
   return {targets_[*found].weight * (1 - best / near2), found};
 }
 
-double ExpectedPlanes::worth(const std::vector<Ray>& rays, double least_cosine) {
+void ExpectedPlanes::look_along(const std::vector<Ray>& rays, double least_cosine) {
+  ways_.clear();
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    for (std::size_t k = 0; k < planes_.size(); ++k) {
+      const Plane& plane = planes_[k];
+      const double fall = -rays[i].axis.dot(plane.normal);
+      if (fall < least_cosine) continue;
+      ways_.push_back({i, k, plane.normal.dot(rays[i].from), rays[i].range * fall,
+                       plane.ground.flat_way(rays[i].from), plane.ground.flat_way(rays[i].axis) / fall});
+    }
+}
+
+double ExpectedPlanes::worth(const Vector3d& place) {
   ++place_number_;
+  over_.clear();
+  for (const Plane& plane : planes_)
+    over_.push_back({plane.normal.dot(place) - plane.height, plane.ground.flat(place)});
   double sum = 0;
-  for (const Ray& ray : rays) {
+  for (auto way = ways_.begin(); way != ways_.end();) {
     Worth best;
-    for (const Plane& plane : planes_)
-      if (const auto meets = crossing(ray, plane.normal, plane.height, least_cosine))
-        if (const Worth here = worth(plane, *meets); here.value > best.value) best = here;
+    for (const std::size_t ray = way->ray; way != ways_.end() && way->ray == ray; ++way) {
+      const double height = over_[way->plane].height + way->from;
+      if (height < 0 || height > way->reach || best.value >= 1) continue;
+      const Vector2d meets = over_[way->plane].flat + way->off + height * way->slope;
+      if (const Worth here = worth(planes_[way->plane], meets); here.value > best.value) best = here;
+    }
     if (best.target) met_[*best.target] = place_number_;
     sum += best.value;
   }

@@ -31,7 +31,11 @@ constexpr int kRetries = 2;          ///< of what was unreachable
 class FrontierFollower : public Follower {
  public:
   explicit FrontierFollower(const Parameters& p)
-      : Follower(p), open_(p.resolution), memory_(p.resolution), empty_(p.resolution), finder_(p, memory_) {}
+      : Follower(p),
+        open_(p.resolution),
+        memory_(p.resolution),
+        empty_(3 * p.resolution),
+        finder_(p, memory_) {}
 
   Marks marks() const override {
     return {{}, open_.edges(PartState::unreachable), open_.edges(PartState::unclosable)};
@@ -222,9 +226,9 @@ Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
       open_.give_up(travel_->goal(), aiming_reach());
       give_up_what_is_near();  // it is looked at at every step, and would be wanted again for ever
     }
-    const bool goes_on = progress == internal::Travel::Progress::good ||
-                         (progress == internal::Travel::Progress::stopped &&
-                          travel_->go_round(seen.model.view(), clearance()));
+    const bool goes_on =
+        progress == internal::Travel::Progress::good || (progress == internal::Travel::Progress::stopped &&
+                                                         travel_->go_round(seen.model.view(), clearance()));
     if (!goes_on) travel_->stop();
   }
   if (!travel_->is_under_way() && !begin_travel(seen)) return {Vector3d::Zero(), Mode::travel, End::complete};

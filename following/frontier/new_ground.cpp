@@ -21,9 +21,9 @@ void NewGround::add(const Border& border) {
   if (length > 0) borders_.push_back({from, (to - from) / length, length, border.goes_on});
 }
 
-double NewGround::at(const Vector3d& place) const {
+double NewGround::at_flat(const Vector2d& p) const {
   constexpr double kFelt = 0.45, kNew = 0.9, kFar = 3.8;  // λ
-  const Vector2d p = flat(place);
+  const double equal2 = 1e-9 * lambda_ * lambda_;
   double least2 = kFar * kFar * lambda_ * lambda_, outside = 0;
   bool goes_on = false;
   for (const Line& border : borders_) {
@@ -33,7 +33,7 @@ double NewGround::at(const Vector3d& place) const {
     const double beyond = along - std::clamp(along, 0.0, border.length);
     const double d2 = height * height + beyond * beyond;
     // At a corner two borders are equally near: the one that is faced tells the side.
-    const bool same = std::abs(d2 - least2) <= 1e-9 * lambda_ * lambda_;
+    const bool same = std::abs(d2 - least2) <= equal2;
     if (same ? std::abs(height) <= std::abs(outside) : d2 > least2) continue;
     least2 = d2, outside = height, goes_on = border.goes_on;
   }

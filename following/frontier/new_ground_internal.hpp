@@ -29,7 +29,12 @@ class NewGround {
   void add_felt(const Eigen::Vector3d& point) { felt_.push_back(flat(point)); }
   void add_empty(const Eigen::Vector3d& place) { empty_.push_back(flat(place)); }
   /// From 0 to 1, for a place in the plane; of other places the projection counts.
-  double at(const Eigen::Vector3d& place) const;
+  double at(const Eigen::Vector3d& place) const { return at_flat(flat(place)); }
+  double at_flat(const Eigen::Vector2d& flat) const;
+
+  /// Coordinates in the plane, of a place or of a direction.
+  Eigen::Vector2d flat(const Eigen::Vector3d& place) const { return flat_way(place - origin_); }
+  Eigen::Vector2d flat_way(const Eigen::Vector3d& way) const { return {way.dot(u_), way.dot(v_)}; }
 
  private:
   struct Line {
@@ -37,9 +42,6 @@ class NewGround {
     double length;
     bool goes_on;
   };
-  Eigen::Vector2d flat(const Eigen::Vector3d& p) const {
-    return {(p - origin_).dot(u_), (p - origin_).dot(v_)};
-  }
 
   double lambda_;
   Eigen::Vector3d origin_, u_, v_;

@@ -27,6 +27,15 @@ Ray random_ray_to(survey::Random& random, const Vector3d& at, const Vector3d& no
   }
 }
 
+double worth(ExpectedPlanes& planes, const std::vector<Ray>& rays) {
+  planes.look_along(rays, kLeastCosine);
+  return planes.worth(Vector3d(0, 0, 0));
+}
+double worth(const Outlook& outlook, const std::vector<Ray>& rays) {
+  ExpectedPlanes planes(kLambda, outlook);
+  return worth(planes, rays);
+}
+
 Outlook with_targets(const std::vector<Target>& targets) {
   Outlook outlook;
   outlook.targets = targets;
@@ -96,10 +105,9 @@ TEST(ExpectedPlanes, ARayStraightAtATargetIsWorthItsWeight) {
     const Target target{random_place(random, 1), random_direction(random), random.uniform(0, 1)};
     const Ray ray = random_ray_to(random, target.at, target.normal);
     ExpectedPlanes planes(kLambda, with_targets({target}));
-    EXPECT_NEAR(planes.worth({ray}, kLeastCosine), target.weight, 1e-9);
-    EXPECT_NEAR(planes.worth({ray}, kLeastCosine), target.weight, 1e-9) << "from one place after another";
-    EXPECT_NEAR(planes.worth({ray, random_ray_to(random, target.at, target.normal)}, kLeastCosine),
-                target.weight, 1e-9)
+    EXPECT_NEAR(worth(planes, {ray}), target.weight, 1e-9);
+    EXPECT_NEAR(worth(planes, {ray}), target.weight, 1e-9) << "from one place after another";
+    EXPECT_NEAR(worth(planes, {ray, random_ray_to(random, target.at, target.normal)}), target.weight, 1e-9)
         << "a target counts once";
   }
 }
@@ -108,12 +116,12 @@ TEST(ExpectedPlanes, ARayBesideATargetIsWorthLess) {
   ExpectedPlanes planes(kLambda, with_targets({{{0, 0, 0}, kUp, 1}}));
   double before = 1;
   for (double off = kLambda / 50; off < 0.49 * kLambda; off += kLambda / 50) {
-    const double now = planes.worth({{{off, 0, kLambda}, -kUp, kRange}}, kLeastCosine);
+    const double now = worth(planes, {{{off, 0, kLambda}, -kUp, kRange}});
     EXPECT_LT(now, before);
     EXPECT_GT(now, 0);
     before = now;
   }
-  EXPECT_EQ(planes.worth({{{0.51 * kLambda, 0, kLambda}, -kUp, kRange}}, kLeastCosine), 0);
+  EXPECT_EQ(worth(planes, {{{0.51 * kLambda, 0, kLambda}, -kUp, kRange}}), 0);
 }
 
 TEST(ExpectedPlanes, ARayThatDoesNotMeetThePlaneIsWorthNothing) {
@@ -121,13 +129,13 @@ TEST(ExpectedPlanes, ARayThatDoesNotMeetThePlaneIsWorthNothing) {
   outlook.borders = {right_side(true)};
   ExpectedPlanes planes(kLambda, outlook);
   const Vector3d target = outlook.targets[0].at;
-  EXPECT_EQ(planes.worth({}, kLeastCosine), 0);
-  EXPECT_EQ(planes.worth({ray_to({kRange / 2, 0, 0.3 * kRange / 2}, target)}, kLeastCosine), 0) << "grazes";
-  EXPECT_GT(planes.worth({ray_to({kRange / 2, 0, 0.4 * kRange / 2}, target)}, kLeastCosine), 0.99);
-  EXPECT_EQ(planes.worth({ray_to({0, 0, 1.01 * kRange}, target)}, kLeastCosine), 0) << "is too short";
-  EXPECT_EQ(planes.worth({ray_to({0, 0, -kLambda}, target)}, kLeastCosine), 0) << "comes from behind";
-  EXPECT_EQ(planes.worth({{{0, 0, kLambda}, kUp, kRange}}, kLeastCosine), 0) << "leads away";
-  EXPECT_EQ(planes.worth({{{0, 0, kLambda}, -kUp, -kLambda}}, kLeastCosine), 0) << "has no range";
+  EXPECT_EQ(worth(planes, {}), 0);
+  EXPECT_EQ(worth(planes, {ray_to({kRange / 2, 0, 0.3 * kRange / 2}, target)}), 0) << "grazes";
+  EXPECT_GT(worth(planes, {ray_to({kRange / 2, 0, 0.4 * kRange / 2}, target)}), 0.99);
+  EXPECT_EQ(worth(planes, {ray_to({0, 0, 1.01 * kRange}, target)}), 0) << "is too short";
+  EXPECT_EQ(worth(planes, {ray_to({0, 0, -kLambda}, target)}), 0) << "comes from behind";
+  EXPECT_EQ(worth(planes, {{{0, 0, kLambda}, kUp, kRange}}), 0) << "leads away";
+  EXPECT_EQ(worth(planes, {{{0, 0, kLambda}, -kUp, -kLambda}}), 0) << "has no range";
 }
 
 TEST(ExpectedPlanes, ARayServesOneTarget) {
@@ -136,8 +144,8 @@ TEST(ExpectedPlanes, ARayServesOneTarget) {
   ExpectedPlanes planes(kLambda, with_targets({front, behind}));
   const Ray straight = ray_to({0, 0, 2 * kLambda}, behind.at),
             slant = ray_to({kRange / 2, 0, kRange / 2}, behind.at);
-  EXPECT_NEAR(planes.worth({straight}, kLeastCosine), 1, 1e-9);
-  EXPECT_NEAR(planes.worth({straight, slant}, kLeastCosine), 2, 1e-9);
+  EXPECT_NEAR(worth(planes, {straight}), 1, 1e-9);
+  EXPECT_NEAR(worth(planes, {straight, slant}), 2, 1e-9);
 }
 
 TEST(ExpectedPlanes, ARayOnNewGroundIsWorthWhatTheGroundIs) {
@@ -151,7 +159,7 @@ TEST(ExpectedPlanes, ARayOnNewGroundIsWorthWhatTheGroundIs) {
     survey::Random random(seed);
     const Vector3d at(random.uniform(-1, 3) * kLambda, random.uniform(-2, 2) * kLambda, 0);
     const Ray ray = random_ray_to(random, at, kUp);
-    EXPECT_NEAR(planes.worth({ray}, kLeastCosine), ground.at(at), 1e-9);
+    EXPECT_NEAR(worth(planes, {ray}), ground.at(at), 1e-9);
     std::vector<Vector3d> places;
     planes.add_new_ground(ray, kLeastCosine, places);
     ASSERT_EQ(places.size(), ground.at(at) > 1e-9 ? 1u : 0u);
@@ -165,10 +173,24 @@ TEST(ExpectedPlanes, WhatIsFarFromAPlaneTellsNothingOfIt) {
   const std::vector<Ray> rays{ray_to({1.5 * kLambda, 0, kLambda}, {1.5 * kLambda, 0, 0})};
   for (auto* places : {&outlook.points, &outlook.empty}) {
     *places = {{1.5 * kLambda, 0, 1.1 * kLambda}};
-    EXPECT_EQ(ExpectedPlanes(kLambda, outlook).worth(rays, kLeastCosine), 1);
+    EXPECT_EQ(worth(outlook, rays), 1);
     *places = {{1.5 * kLambda, 0, 0.9 * kLambda}};
-    EXPECT_EQ(ExpectedPlanes(kLambda, outlook).worth(rays, kLeastCosine), 0);
+    EXPECT_EQ(worth(outlook, rays), 0);
     places->clear();
+  }
+}
+
+TEST(ExpectedPlanes, AWorthGoesWithThePlace) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    survey::Random random(seed);
+    ExpectedPlanes planes(kLambda, random_outlook(random));
+    auto rays = random_rays(random);
+    const Vector3d place = random_place(random, kLambda);
+    planes.look_along(rays, kLeastCosine);
+    const double from_place = planes.worth(place);
+    for (Ray& ray : rays) ray.from += place;
+    EXPECT_NEAR(worth(planes, rays), from_place, 1e-6);
   }
 }
 
@@ -180,13 +202,13 @@ TEST(ExpectedPlanes, AWorthIsAtMostTheNumberOfRaysAndNoEmptyPlaceRaisesIt) {
     Outlook outlook = random_outlook(random);
     ExpectedPlanes planes(kLambda, outlook);
     const auto rays = random_rays(random);
-    const double worth = planes.worth(rays, kLeastCosine);
-    ASSERT_GE(worth, 0);
-    ASSERT_LE(worth, static_cast<double>(rays.size()));
-    ASSERT_EQ(worth, planes.worth(rays, kLeastCosine)) << "it depends on earlier questions";
+    const double found = worth(planes, rays);
+    ASSERT_GE(found, 0);
+    ASSERT_LE(found, static_cast<double>(rays.size()));
+    ASSERT_EQ(found, worth(planes, rays)) << "it depends on earlier questions";
     for (std::size_t i = 0; i < 5; ++i) outlook.empty.push_back(random_place(random, 3 * kLambda));
-    ASSERT_LE(ExpectedPlanes(kLambda, outlook).worth(rays, kLeastCosine), worth + 1e-12);
-    sum += worth;
+    ASSERT_LE(worth(outlook, rays), found + 1e-12);
+    sum += found;
   }
   EXPECT_GT(sum, 1000);
 }
