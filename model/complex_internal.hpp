@@ -158,6 +158,10 @@ class Complex {
   // Shared edges (complex_pairs.cpp; thesis §2.2, §2.8).
 
   void tell_shared(const Segment& a, const Segment& b, geometry::EdgeId, geometry::EdgeId);
+  /// Makes two open edges, as they lie, a corresponding pair. Precondition: they are on different segments,
+  /// lie on the line where the two planes meet, to the rounding, and run opposite to each other between the
+  /// same ends.
+  void share_open(geometry::EdgeId, geometry::EdgeId);
   void tell_corner(const Segment& a, const Segment& b, std::span<const geometry::EdgeId> edges);
   /// Unsharing (§2.8): both copies become open edges. If the ends of the copies of an adjoining shared edge
   /// no longer coincide because of it, that edge is unshared, too.

@@ -49,6 +49,20 @@ void Complex::make_open(EdgeId edge) {
   description_changed(s, where.extend(part.position(part.perimeter.next(place.slot))));
 }
 
+void Complex::share_open(EdgeId a, EdgeId b) {
+  for (const EdgeId edge : {a, b}) {
+    const EdgePlace place = edges_.at(edge);
+    Segment& s = *segments_.in_slot(place.segment);
+    PolygonPart& part = *s.polygon;
+    part.perimeter.set_shared(place.slot, true);
+    insert_sorted(part.shared, edge);
+    Box3 where(part.position(place.slot));
+    description_changed(s, where.extend(part.position(part.perimeter.next(place.slot))));
+  }
+  edges_.pair(a, b);
+  tell_shared(at(edges_.at(a).segment), at(edges_.at(b).segment), a, b);
+}
+
 /// Do the ends of the two copies of a shared edge coincide (kEndSteps)? Ends at a corner vertex need not.
 bool Complex::ends_meet(EdgeId edge) const {
   const EdgePlace &mine = edges_.at(edge), &other = edges_.across(edge);

@@ -3,11 +3,17 @@
 // Initial model segments (thesis §4.3): faces known beforehand. They represent no sensor points, merge with
 // nothing and are never modified, but they share edges and corners. Points on them are counted
 // (Insertion::insert_one()).
+#include <array>
+#include <map>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <limpet/geometry/predicates.hpp>
 
+#include "common_line_internal.hpp"
 #include "initial_internal.hpp"
+#include "sharing_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -24,9 +30,7 @@ Eigen::Vector3d area_vector(const std::vector<Eigen::Vector3d>& cycle) {
   throw std::invalid_argument("initial face " + std::to_string(face) + " " + what);
 }
 
-}  // namespace
-
-void add_initial(Complex& complex, std::size_t number, const InitialFace& face) {
+const Segment& add_face(Complex& complex, std::size_t number, const InitialFace& face) {
   if (face.cycles.empty() || face.cycles.front().size() < 3) refuse(number, "has fewer than three vertices");
   const auto& outer = face.cycles.front();
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), normal = area_vector(outer);
@@ -52,7 +56,80 @@ void add_initial(Complex& complex, std::size_t number, const InitialFace& face) 
   part.perimeter = std::move(*perimeter);
   Fit fit;
   fit.centroid = centre, fit.normal = normal;
-  complex.create_initial(fit, std::move(polygon));
+  return complex.create_initial(fit, std::move(polygon));
+}
+
+using Place = std::array<double, 3>;
+
+/// The edges of faces, by the vertices that they lead from and to.
+class CommonEdges {
+ public:
+  explicit CommonEdges(Complex& complex) : complex_(complex) {}
+
+  void add(const InitialFace& face, const Segment& s) {
+    const PolygonPart& part = *s.polygon;
+    std::map<std::pair<double, double>, Place> vertices;  // by what they are rounded to
+    for (const auto& cycle : face.cycles)
+      for (const Eigen::Vector3d& v : cycle) vertices[rounded(part, v)] = {v.x(), v.y(), v.z()};
+    for_each_edge(part.perimeter, [&](geometry::Slot slot) {
+      const auto &from = part.perimeter.node(slot), &to = part.perimeter.node(part.perimeter.next(slot));
+      const auto begin = vertices.find({from.at.x, from.at.y}), end = vertices.find({to.at.x, to.at.y});
+      if (begin != vertices.end() && end != vertices.end())
+        edges_[{begin->second, end->second}].push_back({s.slot, slot, from.edge});
+    });
+  }
+
+  void share() {
+    for (const auto& [ends, edges] : edges_) {
+      const auto back = edges_.find({ends.second, ends.first});
+      if (ends.second < ends.first || back == edges_.end()) continue;
+      if (edges.size() == 1 && back->second.size() == 1) share(edges.front(), back->second.front());
+    }
+  }
+
+ private:
+  struct Edge {
+    std::uint32_t segment;
+    geometry::Slot slot;
+    geometry::EdgeId id;
+  };
+
+  static std::pair<double, double> rounded(const PolygonPart& part, const Eigen::Vector3d& v) {
+    const geometry::Point2 at = geometry::round_to_grid(part.chart.project(v));
+    return {at.x, at.y};
+  }
+
+  /// Do both ends of the edge lie in this plane, to the rounding?
+  bool lies_in(const Edge& edge, const geometry::Plane& plane) const {
+    constexpr double kSteps = 1.5;
+    const PolygonPart& part = *complex_.at(edge.segment).polygon;
+    const auto is_in = [&](geometry::Slot vertex) {
+      return std::abs(plane.height_of(part.position(vertex))) < kSteps * complex_.setting().step;
+    };
+    return is_in(edge.slot) && is_in(part.perimeter.next(edge.slot));
+  }
+
+  void share(const Edge& a, const Edge& b) {
+    if (a.segment == b.segment) return;
+    const Segment &s = complex_.at(a.segment), &other = complex_.at(b.segment);
+    const geometry::Plane plane = s.polygon->plane(), other_plane = other.polygon->plane();
+    if (!common_line(plane, other_plane, plane.point)) return;
+    if (!lies_in(a, other_plane) || !lies_in(b, plane)) return;
+    complex_.share_open(a.id, b.id);
+    if (!order_stays(complex_, a.id) && (is_disordered(complex_, s) || is_disordered(complex_, other)))
+      complex_.unshare(a.id);
+  }
+
+  Complex& complex_;
+  std::map<std::pair<Place, Place>, std::vector<Edge>> edges_;
+};
+
+}  // namespace
+
+void add_initial(Complex& complex, std::span<const InitialFace> faces) {
+  CommonEdges common(complex);
+  for (std::size_t i = 0; i < faces.size(); ++i) common.add(faces[i], add_face(complex, i, faces[i]));
+  common.share();
 }
 
 }  // namespace limpet::model::internal

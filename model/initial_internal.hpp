@@ -2,13 +2,19 @@
 #pragma once
 
 #include <limpet/model/model.hpp>
+#include <span>
 
 #include "complex_internal.hpp"
 
 namespace limpet::model::internal {
 
-/// Adds an initial model segment (thesis §4.3). Throws std::invalid_argument, which names the face by its
-/// number, when it has fewer than three vertices, no area, or is no simple polygon; then nothing has changed.
-void add_initial(Complex&, std::size_t number, const InitialFace&);
+/// Adds initial model segments (thesis §4.3), face by face. Where exactly two of them have an edge in common,
+/// from one vertex to the same other one and back, they share it, at less than μ, too: no points tell whether
+/// there is an angle. Not shared are edges of faces in almost one plane (kLeastSine), those of which an end
+/// is not in the plane of the other face to the rounding, and what would break an ordering.
+///
+/// Throws std::invalid_argument, which names the face by its number, when one has fewer than three vertices,
+/// no area, or is no simple polygon; then those before it have been added.
+void add_initial(Complex&, std::span<const InitialFace>);
 
 }  // namespace limpet::model::internal

@@ -79,7 +79,9 @@ class Model {
   Model& operator=(Model&&) noexcept;
 
   /// Adds initial model segments (thesis §4.3): they represent no points, merge with nothing and are never
-  /// modified, but share edges and corners with other segments.
+  /// modified, but share edges and corners with other segments. Where exactly two of these faces have an edge
+  /// in common, from one vertex to the same other one and back, they share it at once, at less than μ, too,
+  /// but for angles of about a degree and less.
   ///
   /// A reading that lies on one of them confirms it: it is counted, and makes no segment. It lies on it when
   /// it was sensed from outside, its projection is inside the perimeter or on it, and it is no farther from

@@ -97,9 +97,17 @@ std::vector<LineWindow> changed_windows(double lambda, const SharingReach& shari
   return joined;
 }
 
+/// Two segments that are no neighbours can only become so along open edges of both.
+bool cannot_share(const Complex& complex, const Segment& a, const Segment& b) {
+  const auto is_all_shared = [](const PolygonPart& part) {
+    return part.shared.size() == part.perimeter.edge_count();
+  };
+  return (is_all_shared(*a.polygon) || is_all_shared(*b.polygon)) && complex.edges_between(a, b).empty();
+}
+
 bool share_pair(Complex& complex, Agenda& agenda, const Segment& a, const Segment& b,
                 const DirtyRegion& places) {
-  if (agenda.in_disorder(a.id, b.id)) return false;
+  if (agenda.in_disorder(a.id, b.id) || cannot_share(complex, a, b)) return false;
   const Setting& setting = complex.setting();
   const auto line = line_between(setting, *a.polygon, *b.polygon);
   if (!line) return false;

@@ -166,7 +166,7 @@ SharingReach last_reach(const Rules& rules) {
 void add_initial_faces(Engine& e, std::span<const InitialFace> faces) {
   begin_call(e);
   try {
-    for (std::size_t i = 0; i < faces.size(); ++i) add_initial(e.complex, i, faces[i]);
+    internal::add_initial(e.complex, faces);
   } catch (...) {  // the faces before the refused one stay
     end_call(e);
     throw;

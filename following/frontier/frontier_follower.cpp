@@ -25,8 +25,7 @@ using model::View;
 
 struct Nothing {};
 
-constexpr long kOutcomePeriod = 20;  ///< sets
-constexpr int kRetries = 2;          ///< of what was unreachable
+constexpr int kRetries = 2;  ///< of what was unreachable
 
 class FrontierFollower : public Follower {
  public:
@@ -57,6 +56,7 @@ class FrontierFollower : public Follower {
   Motion travel(const Observation&, bool has_moved);
   bool begin_travel(const Observation&);
   void leave_what_would_close(const Observation&);
+  long outcome_period(const Observation&) const;
 
   double lambda() const { return parameters().resolution; }
   /// Open edges this near can be aimed at.
@@ -78,7 +78,7 @@ class FrontierFollower : public Follower {
   std::optional<internal::ExpectedPlanes> planes_;  ///< of the outlook
   std::optional<Aim> aim_;
   Vector3d before_ = Vector3d::Zero();
-  long sets_ = 0, asked_ = -1;  ///< sets so far, and when it was last asked what would close
+  long sets_ = 0, asked_ = 0;  ///< sets so far, and when it was last asked what would close
   std::int64_t outcomes_asked_ = 0;
   int retries_ = 0;
 };
@@ -191,6 +191,13 @@ void FrontierFollower::give_up_what_is_near() {
   for (const Target& target : outlook_.targets) memory_.note_blocked(target.at, target.normal);
 }
 
+/// The number of sets after which it is asked again what would close. An answer takes the longer, the more
+/// polygons there are.
+long FrontierFollower::outcome_period(const Observation& seen) const {
+  constexpr long kLeast = 20;
+  return std::max(kLeast, static_cast<long>(seen.model.counts().polygons));
+}
+
 void FrontierFollower::leave_what_would_close(const Observation& seen) {
   open_.note(seen.model.would_finish());
   ++outcomes_asked_;
@@ -201,7 +208,7 @@ void FrontierFollower::leave_what_would_close(const Observation& seen) {
 /// felt is always near one), what seems to be known, and what was in the way of something before.
 bool FrontierFollower::begin_travel(const Observation& seen) {
   const auto wanted = [&](const Vector3d& place) { return open_.any_wanted(place, aiming_reach()); };
-  if (sets_ - asked_ >= kOutcomePeriod / 2) leave_what_would_close(seen);
+  if (sets_ - asked_ >= outcome_period(seen) / 2) leave_what_would_close(seen);
   if (travel_->begin(wanted)) return true;
   if (sets_ != asked_) {
     leave_what_would_close(seen);
@@ -251,7 +258,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
     begin(seen);
   else
     open_.apply(seen.changes, view);
-  if (++sets_ % kOutcomePeriod == 0) leave_what_would_close(seen);
+  if (++sets_ - asked_ >= outcome_period(seen)) leave_what_would_close(seen);
   const bool has_moved = (here - before_).norm() >= 1e-3 * lambda();
   before_ = here;
   travel_->arrive(view, clearance(), here);

@@ -99,6 +99,69 @@ TEST_P(InitialSegments, AreConfirmedByWhatIsFeltOnThem) {
 INSTANTIATE_TEST_SUITE_P(Orders, InitialSegments, ::testing::Values(Order::raster, Order::shuffled),
                          [](const auto& test) { return test.index == 0 ? "raster" : "shuffled"; });
 
+std::vector<InitialFace> initial_faces_of(const simulation::Mesh& mesh) {
+  std::vector<InitialFace> faces;
+  for (const auto& face : simulation::faces_of(mesh)) faces.push_back({face.loops});
+  return faces;
+}
+
+Parameters coarse() {
+  Parameters parameters;
+  parameters.resolution = 0.05;
+  parameters.tolerance = 0.01;
+  return parameters;
+}
+
+std::size_t edges_in(const std::vector<InitialFace>& faces) {
+  std::size_t count = 0;
+  for (const InitialFace& face : faces)
+    for (const auto& cycle : face.cycles) count += cycle.size();
+  return count;
+}
+
+TEST(InitialFaces, ShareTheirCommonEdgesAtOnce) {
+  // drum:64 has faces that meet at less than μ; notch one with a hole.
+  for (const char* shape : {"cube", "L", "notch", "icosahedron", "octahedron", "drum:64"}) {
+    SCOPED_TRACE(shape);
+    auto faces = initial_faces_of(simulation::make_scene(shape).mesh);
+    Model whole(coarse());
+    whole.add_initial(faces);
+    EXPECT_EQ(broken_laws(whole.record()), "");
+    EXPECT_EQ(partners_of(whole.record()).size(), edges_in(faces)) << "all edges";
+
+    // Without one face, its edges are open.
+    const std::size_t of_last = faces.back().cycles.front().size();
+    ASSERT_EQ(faces.back().cycles.size(), 1U);
+    faces.pop_back();
+    Model open(coarse());
+    open.add_initial(faces);
+    EXPECT_EQ(broken_laws(open.record()), "");
+    EXPECT_EQ(partners_of(open.record()).size(), edges_in(faces) - of_last);
+  }
+}
+
+TEST(InitialFaces, ShareOnlyWhatTwoOfThemHaveInCommon) {
+  using Cycle = std::vector<Vector3d>;
+  const Cycle floor{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Cycle wall{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {1, 0, 1}};
+  const Cycle against{{0, 0, 0}, {1, 0, 0}, {1, 0, -1}, {0, 0, -1}};
+  const Cycle beside{{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}};
+  const Cycle shorter{{0.9, 0, 0}, {0, 0, 0}, {0, 0, 1}, {0.9, 0, 1}};
+  const auto shared_of = [](const std::vector<Cycle>& cycles) {
+    std::vector<InitialFace> faces;
+    for (const Cycle& cycle : cycles) faces.push_back({{cycle}});
+    Model model(coarse());
+    model.add_initial(faces);
+    EXPECT_EQ(broken_laws(model.record()), "");
+    return partners_of(model.record()).size();
+  };
+  EXPECT_EQ(shared_of({floor, wall}), 2U);
+  EXPECT_EQ(shared_of({floor, beside}), 0U) << "in one plane";
+  EXPECT_EQ(shared_of({floor, shorter}), 0U) << "other vertices";
+  EXPECT_EQ(shared_of({floor, against}), 0U) << "both run the same way";
+  EXPECT_EQ(shared_of({floor, wall, against}), 0U) << "three faces at one edge";
+}
+
 TEST(InitialFaces, ThatAreNoneAreRefused) {
   Model model(of_resolution(0.1));
   const auto refused = [&](const std::vector<Vector3d>& cycle) {
