@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kFree[] = {0.8, 1.1, 1.5}, kFreeMargins[] = {1.35, 1.1};
 /// Between walls that are less than 2 δ apart, places are low over one and look along it.
-constexpr double kNarrow[] = {0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[] = {1.05, 0};
+constexpr double kNarrow[] = {0.38, 0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[] = {1.05, 0};
 
 }  // namespace
 
