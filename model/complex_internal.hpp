@@ -197,6 +197,7 @@ class Complex {
   void absorb_data(Segment& into, const Segment& from, bool stays_young);
   std::vector<geometry::EdgeId> erase(Segment&);
   void make_open(geometry::EdgeId);
+  void mark_shared(Segment&, geometry::Slot edge, bool shared);
   bool ends_meet(geometry::EdgeId) const;
   void add_adjoining(geometry::EdgeId, std::vector<geometry::EdgeId>& result) const;
   void unshare_where_ends_part();

@@ -44,9 +44,14 @@ void Complex::make_open(EdgeId edge) {
   PolygonPart& part = *s.polygon;
   erase_sorted(part.shared, edge);
   if (place.slot == geometry::kNoSlot || !still_there(part.perimeter, {place.slot, edge})) return;
-  part.perimeter.set_shared(place.slot, false);
-  Box3 where(part.position(place.slot));
-  description_changed(s, where.extend(part.position(part.perimeter.next(place.slot))));
+  mark_shared(s, place.slot, false);
+}
+
+void Complex::mark_shared(Segment& s, Slot edge, bool shared) {
+  PolygonPart& part = *s.polygon;
+  part.perimeter.set_shared(edge, shared);
+  Box3 where(part.position(edge));
+  description_changed(s, where.extend(part.position(part.perimeter.next(edge))));
 }
 
 void Complex::share_open(EdgeId a, EdgeId b) {
@@ -54,10 +59,8 @@ void Complex::share_open(EdgeId a, EdgeId b) {
     const EdgePlace place = edges_.at(edge);
     Segment& s = *segments_.in_slot(place.segment);
     PolygonPart& part = *s.polygon;
-    part.perimeter.set_shared(place.slot, true);
     insert_sorted(part.shared, edge);
-    Box3 where(part.position(place.slot));
-    description_changed(s, where.extend(part.position(part.perimeter.next(place.slot))));
+    mark_shared(s, place.slot, true);
   }
   edges_.pair(a, b);
   tell_shared(at(edges_.at(a).segment), at(edges_.at(b).segment), a, b);

@@ -3,7 +3,9 @@
 // Initial model segments (thesis §4.3): faces known beforehand. They represent no sensor points, merge with
 // nothing and are never modified, but they share edges and corners. Points on them are counted
 // (Insertion::insert_one()).
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -88,6 +90,8 @@ class CommonEdges {
   }
 
  private:
+  static constexpr double kSteps = 1.5;  ///< that an end may be off the other plane
+
   struct Edge {
     std::uint32_t segment;
     geometry::Slot slot;
@@ -101,7 +105,6 @@ class CommonEdges {
 
   /// Do both ends of the edge lie in this plane, to the rounding?
   bool lies_in(const Edge& edge, const geometry::Plane& plane) const {
-    constexpr double kSteps = 1.5;
     const PolygonPart& part = *complex_.at(edge.segment).polygon;
     const auto is_in = [&](geometry::Slot vertex) {
       return std::abs(plane.height_of(part.position(vertex))) < kSteps * complex_.setting().step;
@@ -109,12 +112,25 @@ class CommonEdges {
     return is_in(edge.slot) && is_in(part.perimeter.next(edge.slot));
   }
 
+  double length_along(const CommonLine& line, const Edge& edge) const {
+    const PolygonPart& part = *complex_.at(edge.segment).polygon;
+    return line.along.dot(part.position(part.perimeter.next(edge.slot)) - part.position(edge.slot));
+  }
+  /// Of the copies, so that they overlap however they are rounded.
+  double least_length(const CommonLine& line) const {
+    return (kLeastSharedSteps + 4 * kSteps / line.sine) * complex_.setting().step;
+  }
+
   void share(const Edge& a, const Edge& b) {
     if (a.segment == b.segment) return;
     const Segment &s = complex_.at(a.segment), &other = complex_.at(b.segment);
     const geometry::Plane plane = s.polygon->plane(), other_plane = other.polygon->plane();
-    if (!common_line(plane, other_plane, plane.point)) return;
-    if (!lies_in(a, other_plane) || !lies_in(b, plane)) return;
+    const auto line = common_line(plane, other_plane, plane.point);
+    if (!line || !lies_in(a, other_plane) || !lies_in(b, plane)) return;
+    const double along = length_along(*line, a), back = -length_along(*line, b);
+    if (along * back <= 0 || std::min(std::abs(along), std::abs(back)) < least_length(*line)) return;
+    const auto [first, is_first] = is_convex_.try_emplace(std::minmax(a.segment, b.segment), along > 0);
+    if (!is_first && first->second != (along > 0)) return;
     complex_.share_open(a.id, b.id);
     if (!order_stays(complex_, a.id) && (is_disordered(complex_, s) || is_disordered(complex_, other)))
       complex_.unshare(a.id);
@@ -122,6 +138,7 @@ class CommonEdges {
 
   Complex& complex_;
   std::map<std::pair<Place, Place>, std::vector<Edge>> edges_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> is_convex_;  ///< of pairs that share, by slots
 };
 
 }  // namespace
@@ -129,7 +146,7 @@ class CommonEdges {
 void add_initial(Complex& complex, std::span<const InitialFace> faces) {
   CommonEdges common(complex);
   for (std::size_t i = 0; i < faces.size(); ++i) common.add(faces[i], add_face(complex, i, faces[i]));
-  common.share();
+  if (complex.setting().parameters.neighbours) common.share();
 }
 
 }  // namespace limpet::model::internal

@@ -14,7 +14,7 @@ namespace limpet::model::internal {
 /// is not in the plane of the other face to the rounding, and what would break an ordering.
 ///
 /// Throws std::invalid_argument, which names the face by its number, when one has fewer than three vertices,
-/// no area, or is no simple polygon; then those before it have been added.
+/// no area, or is no simple polygon; then those before it have been added, and share nothing.
 void add_initial(Complex&, std::span<const InitialFace>);
 
 }  // namespace limpet::model::internal

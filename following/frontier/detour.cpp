@@ -43,6 +43,7 @@ class Search {
       : view_(view), clearance_(clearance), from_(from), to_(to), spacing_(spacing) {}
 
   std::vector<Vector3d> way() {
+    if (clearance_.is_clear(view_, from_, to_)) return {to_};
     const bool is_near = distance(Vector3i::Zero()) <= kNearer * spacing_;
     if (is_near && !is_clear(to_)) return {};
     put(Vector3i::Zero(), Vector3i::Zero(), 0);

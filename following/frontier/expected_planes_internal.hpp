@@ -32,12 +32,12 @@ class ExpectedPlanes {
  public:
   ExpectedPlanes(double resolution, const Outlook&);
 
-  /// Places are valued from now on by these rays, from places relative to them, incidence up to this cosine
-  /// (> 0).
+  /// Places are valued from now on by these rays, which are relative to the place, incidence up to this
+  /// cosine (> 0).
   void look_along(const std::vector<Ray>&, double least_cosine);
   /// What the readings of the rays from a place are worth together: a ray serves one target, and a target one
   /// ray; or it meets new ground. Rays are served in their order. The answer does not depend on earlier
-  /// questions.
+  /// questions. Precondition: look_along() has been called; else it is 0.
   double worth(const Eigen::Vector3d& place);
   /// Is the place less than this far over new ground, straight above it?
   bool is_low_over_new_ground(const Eigen::Vector3d& place, double distance) const;

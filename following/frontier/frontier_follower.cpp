@@ -25,7 +25,8 @@ using model::View;
 
 struct Nothing {};
 
-constexpr int kRetries = 2;  ///< of what was unreachable
+constexpr long kLeastOutcomePeriod = 20;  ///< sets
+constexpr int kRetries = 2;               ///< of what was unreachable
 
 class FrontierFollower : public Follower {
  public:
@@ -132,7 +133,8 @@ void FrontierFollower::note_empty(const std::vector<Ray>& rays) {
 }
 
 /// Where there are no other targets, finds some around points: one after the other, since on a curved surface
-/// few become polygons. Beside edges that are known, points that are alone are outliers, but for the nearest.
+/// few become polygons. Beside edges that are known, single points that are alone are outliers, but for the
+/// nearest.
 void FrontierFollower::look_around_points(const View& view, const Vector3d& here) {
   constexpr double kTogether = 1.5;  // λ
   for (const View::Nearest& point : points_) {
@@ -140,7 +142,7 @@ void FrontierFollower::look_around_points(const View& view, const Vector3d& here
     const auto is_beside = [&](const View::Nearest& other) {
       return &other != &point && (other.at - point.at).norm() < kTogether * lambda();
     };
-    if (&point == &points_.front() || parts_.empty() ||
+    if (&point == &points_.front() || parts_.empty() || view.segment(point.segment)->points > 1 ||
         std::any_of(points_.begin(), points_.end(), is_beside))
       finder_.add_around_point(view, point.at, here, outlook_.targets);
   }
@@ -194,8 +196,7 @@ void FrontierFollower::give_up_what_is_near() {
 /// The number of sets after which it is asked again what would close. An answer takes the longer, the more
 /// polygons there are.
 long FrontierFollower::outcome_period(const Observation& seen) const {
-  constexpr long kLeast = 20;
-  return std::max(kLeast, static_cast<long>(seen.model.counts().polygons));
+  return std::max(kLeastOutcomePeriod, static_cast<long>(seen.model.counts().polygons));
 }
 
 void FrontierFollower::leave_what_would_close(const Observation& seen) {
@@ -258,7 +259,9 @@ Motion FrontierFollower::choose(const Observation& seen) {
     begin(seen);
   else
     open_.apply(seen.changes, view);
-  if (++sets_ - asked_ >= outcome_period(seen)) leave_what_would_close(seen);
+  ++sets_;
+  if (sets_ - asked_ >= kLeastOutcomePeriod && sets_ - asked_ >= outcome_period(seen))
+    leave_what_would_close(seen);
   const bool has_moved = (here - before_).norm() >= 1e-3 * lambda();
   before_ = here;
   travel_->arrive(view, clearance(), here);

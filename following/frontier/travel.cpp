@@ -30,12 +30,18 @@ bool Travel::begin(const std::function<bool(const Vector3d&)>& wanted) {
 
 void Travel::begin(const Vector3d& to) { set_way({to}); }
 
-void Travel::set_way(std::vector<Vector3d> way) {
-  constexpr double kDetour = 3, kSteps = 12;  // of the way's length, and beside it
+/// The number of steps that a way from here may take.
+long Travel::steps_for(const std::vector<Vector3d>& way) const {
+  constexpr double kDetour = 3;  // times the way's length
   double length = 0;
   Vector3d before = here_;
   for (const Vector3d& place : way) length += (place - std::exchange(before, place)).norm();
-  steps_left_ = std::lround(kSteps + kDetour * length / step_);
+  return std::lround(kDetour * length / step_);
+}
+
+void Travel::set_way(std::vector<Vector3d> way) {
+  constexpr long kSteps = 12;  // beside those for its length
+  steps_left_ = kSteps + steps_for(way);
   way_ = std::move(way);
   std::reverse(way_.begin(), way_.end());
   planned_ = way_.size();
@@ -48,9 +54,11 @@ bool Travel::go_round(const model::View& view, const Clearance& clearance) {
   for (int looked = 0; looked < kPlacesAhead && !way_.empty(); ++looked, way_.pop_back()) {
     const std::vector<Vector3d> round = detour(view, clearance, here_, way_.back(), kSpacing * lambda_);
     if (round.empty()) continue;
+    if (round.back() == way_.back()) way_.pop_back();
     planned_ = way_.size();
     way_.insert(way_.end(), round.rbegin(), round.rend());
-    steps_left_ += std::ssize(round);
+    steps_left_ += steps_for(round);
+    idle_ = 0, nearest_ = kFar;
     return true;
   }
   return false;

@@ -28,7 +28,7 @@ class Travel {
   void begin(const Eigen::Vector3d& to);
   void stop() { way_.clear(); }
   /// Goes round what has stopped the motion to the next place. Returns whether there is such a way; not when
-  /// the motion was on one. Precondition: is_under_way().
+  /// the motion was on one. If not, the caller is to stop() the travel. Precondition: is_under_way().
   bool go_round(const model::View&, const Clearance&);
   /// Something has been found to do.
   void arrived() { way_.clear(), begin_anew(); }
@@ -41,9 +41,9 @@ class Travel {
     stopped,  ///< another way may do
     hopeless  ///< the goal is to be given up
   };
-  /// Looks at how the last motion went. Precondition: is_under_way(). The caller stops what is not good;
-  /// hopeless comes after a finite number of looks, however often a way is begun in between, unless one
-  /// arrives.
+  /// Looks at how the last motion went. Precondition: is_under_way(). The caller stops what is not good,
+  /// unless it can go_round(); hopeless comes after a finite number of looks, however often a way is begun in
+  /// between, unless one arrives.
   Progress look(const Eigen::Vector3d& here, bool has_moved);
 
   /// The next motion. Precondition: is_under_way().
@@ -53,6 +53,7 @@ class Travel {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
   void set_way(std::vector<Eigen::Vector3d> way);
+  long steps_for(const std::vector<Eigen::Vector3d>& way) const;
   bool is_on_detour() const { return way_.size() > planned_; }
   void begin_anew() { stops_ = 0, idle_ = 0, nearest_ = kFar; }
   bool comes_no_nearer(const Eigen::Vector3d& here);

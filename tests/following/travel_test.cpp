@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr double kLambda = 0.05, kStep = kLambda;
 constexpr int kManyLooks = 3000;
 
-/// A robot that makes of each motion what it will.
+/// A robot that makes of each motion, once it is shortened to what is clear, what it will.
 struct Traveller {
   model::Model model;
   Clearance clearance{usual_parameters(kLambda).clearance()};
@@ -42,7 +42,8 @@ struct Traveller {
   Travel::Progress step() {
     const model::View view = model.view();
     const kinematics::Posture posture(robot, here);
-    const Vector3d motion = made(travel.next(Steering(view, clearance, posture, kStep), here));
+    const Vector3d next = travel.next(Steering(view, clearance, posture, kStep), here);
+    const Vector3d motion = made(clearance.shortened(view, here, next));
     go_to(here + motion);
     if (!travel.is_under_way()) return Travel::Progress::good;
     ++looks;

@@ -160,6 +160,12 @@ TEST(InitialFaces, ShareOnlyWhatTwoOfThemHaveInCommon) {
   EXPECT_EQ(shared_of({floor, shorter}), 0U) << "other vertices";
   EXPECT_EQ(shared_of({floor, against}), 0U) << "both run the same way";
   EXPECT_EQ(shared_of({floor, wall, against}), 0U) << "three faces at one edge";
+
+  Parameters open = coarse();
+  open.neighbours = false;
+  Model model(open);
+  model.add_initial(std::vector<InitialFace>{{{floor}}, {{wall}}});
+  EXPECT_EQ(partners_of(model.record()).size(), 0U) << "sharing is turned off";
 }
 
 TEST(InitialFaces, ThatAreNoneAreRefused) {
