@@ -1,7 +1,9 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limpet/survey/random.hpp>
+#include <numbers>
 #include <stdexcept>
 
 #include "run_worlds.hpp"
@@ -172,6 +174,22 @@ TEST(Reachable, AReachableSampleIsSeenFromWhereItIsSaid) {
     for (const Vector3d& axis : sensing.axes) along = std::max(along, axis.dot(sight) / range);
     EXPECT_NEAR(along, 1, 1e-12);
   }
+}
+
+TEST(Reachable, IsNotWhatIsOnlySeenAtGrazingIncidence) {
+  // A single axis, inclined by so much, sees the top of a cube from beside it.
+  const auto share_of_top = [](double incidence_deg, double least_cosine) {
+    const double incidence = incidence_deg * std::numbers::pi / 180;
+    Sensing sensing{{Vector3d(-std::sin(incidence), 0, -std::cos(incidence))}, kRange};
+    if (least_cosine > 0) sensing.least_cosine = least_cosine;
+    const RunWorld world(testing::cube());
+    const int top = testing::face_at(world.mesh, Vector3d::UnitZ(), {0.5, 0.5, 1});
+    return world.reachable(sensing).faces[static_cast<std::size_t>(top)].share;
+  };
+  EXPECT_GT(share_of_top(80, 0), 0.2);
+  EXPECT_GT(share_of_top(84, 0), 0.2);
+  EXPECT_EQ(share_of_top(86, 0), 0);
+  EXPECT_GT(share_of_top(86, 0.01), 0.2);
 }
 
 TEST(Reachable, IsNotTheInsideOfANarrowSlot) {
