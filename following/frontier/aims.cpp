@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kFree[] = {0.8, 1.1, 1.5}, kFreeMargins[] = {1.35, 1.1};
 /// Between walls that are less than 2 δ apart, places are low over one and look along it.
-constexpr double kNarrow[] = {0.38, 0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[] = {1.15, 0};
+constexpr double kNarrow[] = {0.38, 0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[] = {1.05, 0};
 
 }  // namespace
 
@@ -69,7 +69,7 @@ void AimChooser::add_candidates(const std::vector<Target>& targets, const Search
 bool AimChooser::is_good(const model::View& view, const Clearance& clearance, const ExpectedPlanes& planes,
                          const Aim& aim, double margin) const {
   const double distance = margin * clearance.least();
-  if (margin > 0 && planes.is_low_over_the_unfelt(aim.place, distance)) return false;
+  if (margin > 0 && planes.is_low_over_new_ground(aim.place, distance)) return false;
   if (margin > 0 ? !clearance.is_safe(view, here_, aim.place, distance)
                  : !clearance.is_clear(view, here_, aim.place))
     return false;

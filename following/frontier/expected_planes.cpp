@@ -93,10 +93,10 @@ double ExpectedPlanes::worth(const Vector3d& place) {
   return sum;
 }
 
-bool ExpectedPlanes::is_low_over_the_unfelt(const Vector3d& place, double distance) const {
+bool ExpectedPlanes::is_low_over_new_ground(const Vector3d& place, double distance) const {
   return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
     const double height = plane.normal.dot(place) - plane.height;
-    return std::abs(height) < distance && (plane.ground.may_go_on_at(place) || plane.ground.at(place) > 0);
+    return std::abs(height) < distance && plane.ground.at(place - height * plane.normal) > 0;
   });
 }
 

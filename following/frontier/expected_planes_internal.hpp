@@ -39,9 +39,8 @@ class ExpectedPlanes {
   /// ray; or it meets new ground. Rays are served in their order. The answer does not depend on earlier
   /// questions. Precondition: look_along() has been called; else it is 0.
   double worth(const Eigen::Vector3d& place);
-  /// Is the place less than this far over new ground, straight above it, or over where a plane may go on
-  /// farther than it is felt?
-  bool is_low_over_the_unfelt(const Eigen::Vector3d& place, double distance) const;
+  /// Is the place less than this far over new ground, straight above it?
+  bool is_low_over_new_ground(const Eigen::Vector3d& place, double distance) const;
   /// Adds where a ray meets new ground, for each plane.
   void add_new_ground(const Ray&, double least_cosine, std::vector<Eigen::Vector3d>& places) const;
 

@@ -21,10 +21,11 @@ void NewGround::add(const Border& border) {
   if (length > 0) borders_.push_back({from, (to - from) / length, length, border.goes_on});
 }
 
-/// The border nearest to a place, if it is nearer than `least`.
-NewGround::Nearest NewGround::nearest(const Vector2d& p, double least) const {
+double NewGround::at_flat(const Vector2d& p) const {
+  constexpr double kFelt = 0.45, kNew = 0.9, kFar = 3.8;  // λ
   const double equal2 = 1e-9 * lambda_ * lambda_;
-  Nearest nearest{least * least, 0, false};
+  double least2 = kFar * kFar * lambda_ * lambda_, outside = 0;
+  bool goes_on = false;
   for (const Line& border : borders_) {
     const Vector2d off = p - border.from;
     const double height = off.x() * border.along.y() - off.y() * border.along.x();
@@ -32,28 +33,16 @@ NewGround::Nearest NewGround::nearest(const Vector2d& p, double least) const {
     const double beyond = along - std::clamp(along, 0.0, border.length);
     const double d2 = height * height + beyond * beyond;
     // At a corner two borders are equally near: the one that is faced tells the side.
-    const bool same = std::abs(d2 - nearest.distance2) <= equal2;
-    if (same ? std::abs(height) <= std::abs(nearest.outside) : d2 > nearest.distance2) continue;
-    nearest = {d2, height, border.goes_on};
+    const bool same = std::abs(d2 - least2) <= equal2;
+    if (same ? std::abs(height) <= std::abs(outside) : d2 > least2) continue;
+    least2 = d2, outside = height, goes_on = border.goes_on;
   }
-  return nearest;
-}
-
-double NewGround::at_flat(const Vector2d& p) const {
-  constexpr double kFelt = 0.45, kNew = 0.9, kFar = 3.8;  // λ
-  const Nearest border = nearest(p, kFar * lambda_);
-  if (!border.goes_on || border.outside <= 0) return 0;
-  double least2 = border.distance2;
+  if (!goes_on || outside <= 0) return 0;
   for (const Vector2d& felt : felt_) least2 = std::min(least2, (p - felt).squaredNorm());
   // What is nearest tells: near a place that is empty, there is no surface either.
   for (const Vector2d& empty : empty_)
     if ((p - empty).squaredNorm() < 2 * least2) return 0;
   return std::clamp((std::sqrt(least2) / lambda_ - kFelt) / (kNew - kFelt), 0.0, 1.0);
-}
-
-bool NewGround::may_go_on_at(const Vector3d& place) const {
-  constexpr double kShort = 1.5;  // λ
-  return nearest(flat(place), kShort * lambda_).outside > 0;
 }
 
 }  // namespace limpet::following::internal

@@ -31,9 +31,6 @@ class NewGround {
   /// From 0 to 1, for a place in the plane; of other places the projection counts.
   double at(const Eigen::Vector3d& place) const { return at_flat(flat(place)); }
   double at_flat(const Eigen::Vector2d& flat) const;
-  /// Is a place outside the nearest border, by less than 1.5 λ? A polygon stops short of the true corner by
-  /// about as much, whether it is known to end there or not.
-  bool may_go_on_at(const Eigen::Vector3d& place) const;
 
   /// Coordinates in the plane, of a place or of a direction.
   Eigen::Vector2d flat(const Eigen::Vector3d& place) const { return flat_way(place - origin_); }
@@ -45,12 +42,6 @@ class NewGround {
     double length;
     bool goes_on;
   };
-
-  struct Nearest {
-    double distance2, outside;  ///< outside: the height over its line, > 0 outwards
-    bool goes_on;
-  };
-  Nearest nearest(const Eigen::Vector2d&, double least) const;
 
   double lambda_;
   Eigen::Vector3d origin_, u_, v_;

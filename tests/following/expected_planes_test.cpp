@@ -180,21 +180,6 @@ TEST(ExpectedPlanes, WhatIsFarFromAPlaneTellsNothingOfIt) {
   }
 }
 
-TEST(ExpectedPlanes, APlaceIsLowOverAPlaneThatMayGoOn) {
-  Outlook outlook;
-  outlook.borders = {right_side(false)};
-  const ExpectedPlanes ended(kLambda, outlook);
-  EXPECT_TRUE(ended.is_low_over_the_unfelt({kLambda, 0, 0.9 * kLambda}, kLambda));
-  EXPECT_TRUE(ended.is_low_over_the_unfelt({kLambda, 0, -0.9 * kLambda}, kLambda)) << "from behind, too";
-  EXPECT_FALSE(ended.is_low_over_the_unfelt({kLambda, 0, 1.1 * kLambda}, kLambda)) << "higher";
-  EXPECT_FALSE(ended.is_low_over_the_unfelt({1.6 * kLambda, 0, 0.9 * kLambda}, kLambda)) << "farther out";
-  EXPECT_FALSE(ended.is_low_over_the_unfelt({-kLambda, 0, 0.9 * kLambda}, kLambda)) << "it is felt";
-  outlook.borders = {right_side(true)};
-  EXPECT_TRUE(
-      ExpectedPlanes(kLambda, outlook).is_low_over_the_unfelt({1.6 * kLambda, 0, 0.9 * kLambda}, kLambda))
-      << "expected to go on";
-}
-
 TEST(ExpectedPlanes, AWorthGoesWithThePlace) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -284,19 +284,5 @@ TEST(NewGround, IsNeverRaisedByWhatIsFeltOrEmpty) {
   }
 }
 
-TEST(NewGround, MayGoOnALittleOutsideAnyBorder) {
-  for (const bool goes_on : {true, false}) {
-    const NewGround ground = Ground{{}, kUp, {x_axis(2, goes_on)}, {}, {}}.made();
-    for (const double lift : {0.0, 0.4}) {
-      EXPECT_TRUE(ground.may_go_on_at({0, 0.1 * kLambda, lift}));
-      EXPECT_TRUE(ground.may_go_on_at({0, 1.4 * kLambda, lift}));
-      EXPECT_FALSE(ground.may_go_on_at({0, 1.6 * kLambda, lift}));
-      EXPECT_FALSE(ground.may_go_on_at({0, -0.1 * kLambda, lift})) << "it is felt";
-      EXPECT_FALSE(ground.may_go_on_at({0, -1.4 * kLambda, lift}));
-    }
-  }
-  EXPECT_FALSE((Ground{{}, kUp, {}, {}, {}}.made().may_go_on_at({0, 0, 0})));
-}
-
 }  // namespace
 }  // namespace limpet::following::internal
