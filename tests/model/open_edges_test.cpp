@@ -55,7 +55,9 @@ TEST(OpenEdges, OfAFoldAreThoseAroundIt) {
 }
 
 TEST(OpenEdges, TellOfAnglesBelowTheResolution) {
-  const Model model = of_faces({kFloor, leaning(5)});
+  // One after the other: those that come together share their edges at once, at any angle.
+  Model model = of_faces({kFloor});
+  model.add_initial(std::vector<InitialFace>{{{leaning(5)}}});
   EXPECT_EQ(refusals(model), (std::map<Refusal, int>{{Refusal::alone, 6}, {Refusal::angle, 2}}));
   for (const OpenEdge& open : model.open_edges())
     EXPECT_EQ(static_cast<bool>(open.other), open.refusal == Refusal::angle);
