@@ -52,12 +52,32 @@ std::string_view ByteSource::peek(std::size_t count) {
   return {buffer_.data() + begin_, end_ - begin_};
 }
 
+void ByteSource::skip_byte_order_mark() {
+  const std::string_view head = peek(3);
+  if (head.starts_with("\xef\xbb\xbf")) skip(3);
+  if (head.starts_with("\xff\xfe") || head.starts_with("\xfe\xff"))
+    throw InputError(name_, "is text in UTF-16; save it in UTF-8 or ASCII");
+}
+
+/// A carriage return ends lines if the first one, or the first few in a row, are not before a line feed.
+char ByteSource::first_line_end() {
+  char last = 0;
+  for (std::size_t at = 0;; ++at) {
+    const std::string_view there = peek(at + 1);
+    if (there.size() <= at) return last == '\r' ? '\r' : '\n';
+    if (there[at] == '\n') return '\n';
+    if (last == '\r' && there[at] != '\r') return '\r';
+    last = there[at];
+  }
+}
+
 bool ByteSource::line(std::string_view& text) {
+  if (line_end_ == 0) line_end_ = first_line_end();
   std::size_t searched = 0;
   for (;;) {
     const char* from = buffer_.data() + begin_;
     const std::size_t there = end_ - begin_;
-    const void* found = std::memchr(from + searched, '\n', there - searched);
+    const void* found = std::memchr(from + searched, line_end_, there - searched);
     if (found == nullptr) {
       searched = there;
       if (fill()) continue;
@@ -74,7 +94,7 @@ bool ByteSource::line(std::string_view& text) {
     begin_ += taken;
     offset_ += static_cast<std::int64_t>(taken);
     ++line_number_;
-    if (text.ends_with('\r')) text.remove_suffix(1);
+    while (text.ends_with('\r')) text.remove_suffix(1);
     return true;
   }
 }

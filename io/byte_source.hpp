@@ -21,9 +21,15 @@ class ByteSource {
   /// The next bytes without taking them: at least `count` (at most 1 MiB) unless the file ends before.
   std::string_view peek(std::size_t count);
 
-  /// Takes the next line, without its end ("\n" or "\r\n"); false at the end of the file.
-  /// Errors: InputError on a line longer than 1 MiB, which no scan has.
+  /// Takes the next line, without its end; false at the end of the file. The first line's end tells how all
+  /// of the lines end: with a line feed (and the carriage returns before it), or with a carriage return
+  /// alone. The other of the two stays in the line, where it is no blank (see no_number()). Errors:
+  /// InputError on a line longer than 1 MiB, which no scan has.
   bool line(std::string_view& text);
+
+  /// Passes over a byte order mark. Precondition: nothing has been taken yet. Errors: InputError when the
+  /// mark is that of UTF-16, which nothing here reads.
+  void skip_byte_order_mark();
 
   /// Takes exactly `count` bytes (at most 1 MiB); an empty view when the file has fewer left.
   std::string_view take(std::size_t count);
@@ -43,10 +49,12 @@ class ByteSource {
 
  private:
   bool fill();
+  char first_line_end();
 
   std::string name_;
   int file_ = -1;
   bool ended_ = false;
+  char line_end_ = 0;  ///< 0: no line has been taken yet
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;
   std::int64_t line_number_ = 0, offset_ = 0;

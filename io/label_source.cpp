@@ -23,6 +23,7 @@ LabelSource::LabelSource(const std::string& path, const std::string& column) {
   bool is_scan = is_scan_name(path);
   if (!is_scan) {
     list_ = std::make_unique<ByteSource>(path);
+    list_->skip_byte_order_mark();
     is_scan = path != "-" && begins_like_a_scan(*list_);
   }
   if (!is_scan) {

@@ -95,8 +95,7 @@ class PcdReader final : public ScanReader {
     std::size_t column = 0;
     for (; !token.empty(); token = next_token(line), ++column) {
       double value = 0;
-      if (!parse_double(token, value))
-        throw InputError(source_->here_line(), in_quotes(token) + " is not a number");
+      if (!parse_double(token, value)) throw InputError(source_->here_line(), no_number(token));
       if (place != places_.end() && place->column == column) row_[(place++)->role] = value;
     }
     if (column != width_) {

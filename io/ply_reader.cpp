@@ -106,7 +106,7 @@ class PlyReader final : public ScanReader {
     const auto number = [&](std::string_view text) {
       double value = 0;
       if (text.empty()) fail_short();
-      if (!parse_double(text, value)) throw InputError(here(), in_quotes(text) + " is not a number");
+      if (!parse_double(text, value)) throw InputError(here(), no_number(text));
       return value;
     };
     for (std::size_t i = 0; i < element.properties.size(); ++i) {

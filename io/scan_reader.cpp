@@ -26,10 +26,10 @@ bool looks_like_table(std::string_view head) {
 /// A PCD header may begin with any comments.
 bool looks_like_pcd(std::string_view head) {
   while (head.starts_with('#')) {
-    const auto end = head.find('\n');
+    const auto end = head.find_first_of("\r\n");
     if (head.substr(0, end).find(".PCD v") != head.npos) return true;
     if (end == head.npos) return false;
-    head.remove_prefix(end + 1);
+    head.remove_prefix(std::min(head.find_first_not_of("\r\n", end), head.size()));
   }
   return starts_with_word(head, "VERSION") || starts_with_word(head, "FIELDS");
 }
@@ -46,7 +46,8 @@ std::string guess_format(ByteSource& source, const std::string& path) {
     if (starts_with_word(head, word)) return "mesh";
   }
   if (is_one_of(extension, {"ply", "pcd", "xyz", "pwn"})) return extension;
-  return looks_like_table(head) ? "xyz" : "";
+  const bool is_text = is_one_of(extension, {"txt", "csv", "asc"}) || looks_like_table(head);
+  return is_text ? "xyz" : "";
 }
 
 }  // namespace
@@ -58,6 +59,7 @@ void refuse_mesh(const ByteSource& source, const std::string& where, const std::
 
 std::unique_ptr<ScanReader> open_scan(const std::string& path, const ScanOptions& options) {
   auto source = std::make_unique<ByteSource>(path);
+  source->skip_byte_order_mark();
   if (source->at_end()) throw InputError(source->name(), "the file is empty");
   const std::string format = options.format.empty() ? guess_format(*source, path) : options.format;
   if (format == "ply") return open_ply(std::move(source), options);

@@ -20,9 +20,7 @@ void append_number(std::string& text, Number value) {
   text.append(buffer, stop);
 }
 
-bool is_blank(char c, bool commas) {
-  return c == ' ' || c == '\t' || c == '\r' || (commas && (c == ',' || c == ';'));
-}
+bool is_blank(char c, bool commas) { return c == ' ' || c == '\t' || (commas && (c == ',' || c == ';')); }
 
 }  // namespace
 
@@ -101,6 +99,12 @@ std::string grouped(std::int64_t number) {
   return text;
 }
 
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && is_blank(text.front(), false)) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back(), false)) text.remove_suffix(1);
+  return text;
+}
+
 std::string_view next_token(std::string_view& rest, bool commas) {
   std::size_t begin = 0;
   while (begin < rest.size() && is_blank(rest[begin], commas)) ++begin;
@@ -109,6 +113,18 @@ std::string_view next_token(std::string_view& rest, bool commas) {
   const std::string_view token = rest.substr(begin, end - begin);
   rest.remove_prefix(end);
   return token;
+}
+
+std::string no_number(std::string_view token) {
+  const auto has = [&](char c) { return token.find(c) != std::string_view::npos; };
+  std::string text = in_quotes(token) + " is not a number";
+  if (has('\n'))
+    return text + ": a line feed, where the lines before end with carriage returns; end all alike";
+  if (has('\r')) return text + ": a carriage return, where lines end with line feeds; end all lines alike";
+  if (has('\0')) return text + ": it has bytes of zero; save UTF-16 as UTF-8 (or is this a binary file?)";
+  if (has('"')) return text + ": it is in quotes; write it without them";
+  if (has(',')) return text + ": numbers have decimal points here, not commas, and blanks between them";
+  return text;
 }
 
 std::string in_quotes(std::string_view token) {

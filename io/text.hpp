@@ -32,9 +32,15 @@ double short_number(double number);
 /// "1,234,567"
 std::string grouped(std::int64_t number);
 
-/// Cuts the next token off `rest` (blanks: space, tab, carriage return and, where `commas`, commas and
-/// semicolons); empty at the end of the line.
+/// `text` without the blanks (spaces and tabs) at its ends.
+std::string_view without_blanks(std::string_view text);
+
+/// Cuts the next token off `rest` (between tokens: blanks and, where `commas`, commas and semicolons); empty
+/// at the end of the line.
 std::string_view next_token(std::string_view& rest, bool commas = false);
+
+/// "'x' is not a number" for a message, and what to do about it where that can be told.
+std::string no_number(std::string_view token);
 
 /// `token` for a message: in quotes, unprintable bytes replaced, cut after 30 characters.
 std::string in_quotes(std::string_view token);

@@ -34,6 +34,21 @@ TEST_F(LabelSourceTest, ListHasOneALine) {
   EXPECT_EQ(labels(write("empty.txt", "")), Labels{});
 }
 
+TEST_F(LabelSourceTest, ListAsItComesFromOtherSystems) {
+  EXPECT_EQ(labels(write("cr.txt", "# by hand\r3\r0\r-1")), (Labels{3, 0, -1}));
+  EXPECT_EQ(labels(write("mark.txt", "\xef\xbb\xbf# by hand\n3\n0\n")), (Labels{3, 0}));
+  EXPECT_EQ(labels(write("both.txt",
+                         "\xef\xbb\xbf"
+                         "3\r0\r")),
+            (Labels{3, 0}));
+  EXPECT_NE(error(write("wide.txt", std::string("\xff\xfe"
+                                                "3\0\n\0",
+                                                6)))
+                .find("UTF-16"),
+            std::string::npos);
+  EXPECT_NE(error(write("mixed.txt", "3\n0\r1\n")).find("line 2"), std::string::npos);
+}
+
 TEST_F(LabelSourceTest, DamagedListSaysTheLine) {
   EXPECT_NE(error(write("a.txt", "1\n2\nx\n")).find("line 3: 'x' is no label"), std::string::npos);
   EXPECT_NE(error(write("b.txt", "1\n2.5\n")).find("line 2"), std::string::npos);

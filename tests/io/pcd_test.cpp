@@ -107,6 +107,44 @@ TEST_F(PcdTest, IsKnownByItsFirstBytesBehindAnyComments) {
   }
 }
 
+/// `bytes` with other line ends in the first `lines` lines.
+std::string with_line_ends(const std::string& bytes, int lines, const std::string& end) {
+  std::string text;
+  for (const char c : bytes) {
+    if (c == '\n' && lines-- > 0) {
+      text += end;
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+TEST_F(PcdTest, HeadersEndTheirLinesInAnyWay) {
+  constexpr int kHeader = 11, kAll = 1000;
+  for (const std::string end : {"\r", "\r\n"}) {
+    for (const std::string& bytes :
+         {with_line_ends(ascii(), kAll, end), with_line_ends(binary(), kHeader, end),
+          with_line_ends(compressed(packed(columns()), 57), kHeader, end),
+          with_line_ends("# made by hand\n#\n" + ascii(), kAll, end),
+          "\xef\xbb\xbf" + with_line_ends(ascii(), kAll, end)}) {
+      const ScanResult scan = read_scan(write("no_extension", bytes));
+      EXPECT_EQ(scan.error, "");
+      ASSERT_EQ(scan.records.size(), 2u);
+      EXPECT_VECTOR(scan.records[0].point.position, 1, 2, 3);
+      EXPECT_EQ(scan.records[1].label, 4000000000);
+    }
+  }
+}
+
+TEST_F(PcdTest, DecimalCommasAreRefused) {
+  const ScanResult scan = read_scan(write("a.pcd", head("ascii") + "10 0 0 0 1 2 3\n10 0 0 0 1,5 2 3\n"));
+  EXPECT_EQ(scan.records.size(), 1u);
+  EXPECT_NE(scan.error.find("a.pcd: line 13: '1,5' is not a number: numbers have decimal points"),
+            std::string::npos)
+      << scan.error;
+}
+
 /// What is promised but cannot be held is one line, and not a crash.
 TEST_F(PcdTest, CompressedPointsThatDoNotFitInMemory) {
   std::string bytes =

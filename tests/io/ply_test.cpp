@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <bit>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -162,6 +163,50 @@ TEST_F(PlyTest, WindowsLineEndsAndBlankLinesDoNotMatter) {
   const ScanResult scan = read_scan(write("w.ply", windows));
   EXPECT_EQ(scan.error, "");
   EXPECT_EQ(scan.records.size(), 2u);
+}
+
+/// The first byte of a binary body is a number's, even where it looks like part of a line's end.
+TEST_F(PlyTest, HeadersEndTheirLinesInAnyWay) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    for (const bool ascii : {true, false}) {
+      for (const unsigned first : {0x3f80000au, 0x3f80000du, 0x3f800020u}) {
+        std::string bytes;
+        for (const std::string line :
+             {"ply", ascii ? "format ascii 1.0" : "format binary_little_endian 1.0", "comment x",
+              "element vertex 2", "property float x", "property float y", "property float z", "end_header"})
+          bytes += line + end;
+        const float x = std::bit_cast<float>(first);
+        for (int i = 0; i < 2; ++i) {
+          std::ostringstream text;
+          text << std::setprecision(17) << x << " 2 3" << end;
+          if (ascii) bytes += text.str();
+          if (!ascii) put(bytes, x), put(bytes, 2.f), put(bytes, 3.f);
+        }
+        const ScanResult scan = read_scan(write("a.ply", bytes));
+        EXPECT_EQ(scan.error, "");
+        ASSERT_EQ(scan.records.size(), 2u);
+        for (const ScanRecord& record : scan.records) EXPECT_VECTOR(record.point.position, x, 2, 3);
+      }
+    }
+  }
+}
+
+TEST_F(PlyTest, DecimalCommasAndStrayLineEndsAreRefused) {
+  const auto error = [&](const std::string& body) {
+    return read_scan(write("a.ply", ascii_points(kXyz, body, 2))).error;
+  };
+  EXPECT_NE(
+      error("1 2 3\n4,5 6 7\n").find("a.ply: line 9: '4,5' is not a number: numbers have decimal points"),
+      std::string::npos)
+      << error("1 2 3\n4,5 6 7\n");
+  EXPECT_NE(error("1 2 3\n4 5\r6\n").find("line 9: '5?6' is not a number: a carriage return"),
+            std::string::npos)
+      << error("1 2 3\n4 5\r6\n");
+}
+
+TEST_F(PlyTest, AByteOrderMarkDoesNotMatter) {
+  EXPECT_EQ(read_scan(write("a", "\xef\xbb\xbf" + ascii_points(kXyz, "1 2 3\n4 5 6\n", 2))).records.size(),
+            2u);
 }
 
 struct Damage {

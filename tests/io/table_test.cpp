@@ -9,7 +9,7 @@ namespace {
 class TableTest : public FileTest {};
 
 TEST_F(TableTest, ThreeColumnsArePoints) {
-  const ScanResult scan = read_scan(write("a.xyz", "# a comment\n1 2 3\n\n  4\t5 6  \n// another\n+7,8,9e0"));
+  const ScanResult scan = read_scan(write("a.xyz", "# a comment\n1 2 3\n\n  4\t5 6  \n// another\n+7 8 9e0"));
   EXPECT_EQ(scan.error, "");
   ASSERT_EQ(scan.records.size(), 3u);
   EXPECT_VECTOR(scan.records[1].point.position, 4, 5, 6);

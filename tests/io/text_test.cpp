@@ -63,6 +63,23 @@ TEST(Text, IntegersThatDoNotFitAreRefused) {
   EXPECT_FALSE(parse_integer("-1", positive));
 }
 
+TEST(Text, NoNumberSaysWhatToDo) {
+  EXPECT_EQ(no_number("x"), "'x' is not a number");
+  EXPECT_NE(no_number("1,5").find("decimal points"), std::string::npos);
+  EXPECT_NE(no_number("1\r2").find("carriage return"), std::string::npos);
+  EXPECT_NE(no_number("1\n2").find("line feed"), std::string::npos);
+  EXPECT_NE(no_number(std::string_view("1\0", 2)).find("UTF-16"), std::string::npos);
+}
+
+TEST(Text, ACarriageReturnIsNoBlank) {
+  std::string_view rest = " 1\r2\t3 ";
+  EXPECT_EQ(next_token(rest), "1\r2");
+  EXPECT_EQ(next_token(rest), "3");
+  EXPECT_EQ(next_token(rest), "");
+  EXPECT_EQ(without_blanks(" \t1 2\r\t "), "1 2\r");
+  EXPECT_EQ(without_blanks(" \t "), "");
+}
+
 TEST(Text, ExtensionsAreOfTheNameAlone) {
   EXPECT_EQ(extension_of("a.b/scan.PLY"), "ply");
   EXPECT_EQ(extension_of("a.b/scan"), "");
