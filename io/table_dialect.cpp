@@ -47,11 +47,11 @@ bool is_with_thousands(std::string_view word) {
 
 /// Where the commas of a row lie that has blanks or commas between its numbers.
 struct Commas {
-  int inside = 0;                   ///< words that have commas inside
-  int beside = 0, not_beside = 0;   ///< blanks with a comma before or after them, and without
-  int words = 0;                    ///< between blanks, without commas at their ends
-  bool all_decimal = true;          ///< the words are numbers that have decimal commas, or whole ones
-  bool all_numbers = true;          ///< the same, or have thousands set off by commas, or are other numbers
+  int inside = 0;                  ///< words that have commas inside
+  int beside = 0, not_beside = 0;  ///< blanks with a comma before or after them, and without
+  int words = 0;                   ///< between blanks, without commas at their ends
+  bool all_decimal = true;         ///< the words are numbers that have decimal commas, or whole ones
+  bool all_numbers = true;         ///< the same, or have thousands set off by commas, or are other numbers
 };
 
 Commas commas_of(std::string_view row) {
@@ -141,9 +141,11 @@ std::string TableDialect::fault(std::string_view field) const {
   if (comma && point)
     return in_quotes(field) + " has a comma and a point; write decimal points, and nothing between thousands";
   if (comma && decimal_ == '.')
-    return in_quotes(field) + " has a comma, where numbers before it have decimal points; write them all alike";
+    return in_quotes(field) +
+           " has a comma, where numbers before it have decimal points; write them all alike";
   if (point && decimal_ == ',')
-    return in_quotes(field) + " has a point, where numbers before it have decimal commas; write them all alike";
+    return in_quotes(field) +
+           " has a point, where numbers before it have decimal commas; write them all alike";
   const std::string_view others = separator_ == ' ' ? ",;" : separator_ == ',' ? " \t;" : " \t,";
   if (field.find_first_of(others) != kNowhere && field.find_first_of("\r\n") == kNowhere)
     return in_quotes(field) + " is not a number; " + separators() + " separate the numbers of this table";

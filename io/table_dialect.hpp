@@ -7,24 +7,23 @@
 
 namespace limpet::io {
 
-/// How a table writes its rows. One thing separates numbers in all of it: blanks, a comma, or a semicolon (with
-/// or without blanks beside it). Where it is not the comma, numbers may have decimal commas instead of points,
-/// but not some the one and some the other.
+/// How a table writes its rows. One thing separates numbers in all of it: blanks, a comma, or a semicolon
+/// (with or without blanks beside it). Where it is not the comma, numbers may have decimal commas instead of
+/// points, but not some the one and some the other.
 ///
 /// A row is given without blanks at its ends. Commas could be either, and are told apart so:
 ///
-///     1,5;2,5;3,5    1,5 2,5 3,5    decimal signs: something else separates, and there is one at most in each
-///     1,5,2          1, 5, 2        separators: nothing else separates
-///     1,5, 2,5, 3,5                 could be either, or three numbers or six: refused
-///     1,5,2 3,4,5                   not clear: refused
+///     1,5;2,5;3,5    1,5 2,5 3,5    decimal signs: something else separates, and there is one at most in
+///     each 1,5,2          1, 5, 2        separators: nothing else separates 1,5, 2,5, 3,5 could be either,
+///     or three numbers or six: refused 1,5,2 3,4,5                   not clear: refused
 class TableDialect {
  public:
   /// Settles by the first row of numbers what separates them; the decimal sign is settled by the first number
   /// that has one. Errors: InputError, at `where`, when the row does not tell.
   TableDialect(std::string_view row, const std::string& where);
 
-  /// Cuts the next field off `rest`, with the separator behind it; `rest` is empty after the last. A separator
-  /// at the end of a row begins no field; between two others lies an empty one.
+  /// Cuts the next field off `rest`, with the separator behind it; `rest` is empty after the last. A
+  /// separator at the end of a row begins no field; between two others lies an empty one.
   std::string_view cut(std::string_view& rest) const;
 
   /// All fields of a row.

@@ -33,6 +33,15 @@ constexpr double kFlat = 0.15;  ///< thickness over radius below which a neighbo
 
 Point to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
+/// The points of a sample.
+struct Sampled {
+  explicit Sampled(const Sample& sample)
+      : points(sample.points()), weight(sample.weight()), count(sample.count()) {}
+  std::vector<model::SensorPoint> points;
+  double weight;       ///< points of the scan that each stands for
+  std::int64_t count;  ///< points of the scan, copies too
+};
+
 /// All points of a sample, or of the scan, that lie within a radius of a centre.
 struct Neighbourhood {
   std::vector<model::SensorPoint> points;
@@ -97,10 +106,10 @@ std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis,
 /// The sample as a tree, for neighbourhoods of any number of points.
 class Coarse {
  public:
-  explicit Coarse(const Sample& sample) : sample_(sample) {
+  explicit Coarse(const Sampled& sample) : sample_(sample) {
     std::vector<std::pair<Point, std::uint32_t>> items;
-    for (std::size_t i = 0; i < sample.points().size(); ++i) {
-      items.emplace_back(to_point(sample.points()[i].position), static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < sample.points.size(); ++i) {
+      items.emplace_back(to_point(sample.points[i].position), static_cast<std::uint32_t>(i));
     }
     tree_ = PointTree(items);
   }
@@ -110,16 +119,16 @@ class Coarse {
     tree_.query(bgi::nearest(to_point(centre.position), static_cast<unsigned>(count)),
                 std::back_inserter(found));
     Neighbourhood around;
-    around.weight = sample_.weight();
+    around.weight = sample_.weight;
     for (const auto& [point, index] : found) {
-      around.points.push_back(sample_.points()[index]);
+      around.points.push_back(sample_.points[index]);
       around.radius = std::max(around.radius, (around.points.back().position - centre.position).norm());
     }
     return around;
   }
 
  private:
-  const Sample& sample_;
+  const Sampled& sample_;
   PointTree tree_;
 };
 
@@ -161,26 +170,26 @@ Patch first_flat(const Neighbourhood& fine, const Coarse& coarse, const model::S
   return *patch;
 }
 
-std::vector<std::size_t> centres_of(const Sample& sample) {
+std::vector<std::size_t> centres_of(const Sampled& sample) {
   std::vector<std::size_t> centres;
-  const std::size_t n = sample.points().size();
+  const std::size_t n = sample.points.size();
   const std::size_t stride = std::max<std::size_t>(1, n / kCentres);
   for (std::size_t i = 0; i < n; i += stride) centres.push_back(i);
   return centres;
 }
 
 /// Looks a second time if the first shows that the depths were rounded before the scan was turned.
-std::vector<Patch> look_at(const Sample& sample, const std::vector<std::size_t>& centres,
+std::vector<Patch> look_at(const Sampled& sample, const std::vector<std::size_t>& centres,
                            const std::vector<Neighbourhood>& fine, const Coarse& coarse) {
   const auto look = [&](const RoundedDepths& rounded) {
     std::vector<Patch> patches;
     for (std::size_t i = 0; i < centres.size(); ++i)
-      patches.push_back(first_flat(fine[i], coarse, sample.points()[centres[i]], rounded));
+      patches.push_back(first_flat(fine[i], coarse, sample.points[centres[i]], rounded));
     return patches;
   };
   const std::vector<Patch> patches = look({});
   Eigen::AlignedBox3d box;
-  for (const auto& p : sample.points()) box.extend(p.position);
+  for (const auto& p : sample.points) box.extend(p.position);
   // Coordinates are written with seven digits or so.
   const double within = 1e-6 * box.diagonal().norm();
   std::vector<Eigen::Vector3d> normals;
@@ -191,52 +200,48 @@ std::vector<Patch> look_at(const Sample& sample, const std::vector<std::size_t>&
   return rounded ? look(*rounded) : patches;
 }
 
-Estimate summarise(const Sample& sample, const std::vector<Patch>& patches) {
+Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches) {
   std::vector<double> areas, ranges;
   std::vector<NoiseAt> noises;
   // The scatter of exact readings is the rounding of their coordinates, which is no noise.
   double largest = 0;
-  for (const auto& p : sample.points()) largest = std::max(largest, p.position.cwiseAbs().maxCoeff());
+  for (const auto& p : sample.points) largest = std::max(largest, p.position.cwiseAbs().maxCoeff());
   for (const Patch& patch : patches) {
     if (!(patch.area_per_point > 0)) continue;
     areas.push_back(patch.area_per_point);
     if (patch.noise) noises.push_back({patch.range, *patch.noise < 1e-12 * largest ? 0 : *patch.noise});
   }
-  for (const auto& p : sample.points()) ranges.push_back(p.range);
+  for (const auto& p : sample.points) ranges.push_back(p.range);
   areas = trimmed(std::move(areas));
   return {mean(areas),
           sparse(areas),
           fit_noise_law(std::move(noises)),
           quantile(ranges, 0.05),
           quantile(ranges, 0.95),
-          sample.count()};
+          sample.count};
 }
 
-}  // namespace
-
-void Sample::add(const model::SensorPoint& point) {
-  ++count_;
-  if (points_.size() < size_) {
-    points_.push_back(point);
-  } else if (const auto at = random_.below(static_cast<std::uint64_t>(count_)); at < size_) {
-    points_[at] = point;
-  }
-}
-
-double Sample::weight() const {
-  return points_.empty() ? 1 : static_cast<double>(count_) / static_cast<double>(points_.size());
-}
-
-Estimate estimate(const Sample& sample) {
+/// What the sample alone tells.
+Estimate coarse_estimate(const Sampled& sample) {
   const auto centres = centres_of(sample);
   return summarise(sample,
                    look_at(sample, centres, std::vector<Neighbourhood>(centres.size()), Coarse(sample)));
 }
 
+bool holds_copy(const Neighbourhood& around, const model::SensorPoint& point) {
+  return std::any_of(around.points.begin(), around.points.end(),
+                     [&](const model::SensorPoint& other) { return other.position == point.position; });
+}
+
+}  // namespace
+
+Estimate estimate(const Sample& sample) { return coarse_estimate(Sampled(sample)); }
+
 Estimate estimate(const std::function<void(const Take&)>& pass) {
-  Sample sample;
-  pass([&](const model::SensorPoint& point) { sample.add(point); });
-  if (sample.weight() <= 1) return estimate(sample);
+  Sample all;
+  pass([&](const model::SensorPoint& point) { all.add(point); });
+  const Sampled sample(all);
+  if (sample.weight <= 1) return coarse_estimate(sample);
 
   // A second look, at all the points near the centres: as far as three times `kNeighbours` should lie.
   const Coarse coarse(sample);
@@ -244,21 +249,21 @@ Estimate estimate(const std::function<void(const Take&)>& pass) {
   std::vector<Neighbourhood> fine;
   std::vector<std::pair<Box, std::uint32_t>> boxes;
   for (const std::size_t i : centres) {
-    const auto& centre = sample.points()[i];
-    const double reach = coarse.nearest(centre, kNeighbours).radius * std::sqrt(3 / sample.weight());
+    const auto& centre = sample.points[i];
+    const double reach = coarse.nearest(centre, kNeighbours).radius * std::sqrt(3 / sample.weight);
     fine.push_back({{}, reach, 1});
     const Eigen::Vector3d low = centre.position.array() - reach, high = centre.position.array() + reach;
     boxes.emplace_back(Box(to_point(low), to_point(high)), static_cast<std::uint32_t>(fine.size() - 1));
   }
   const BoxTree tree(boxes);
+  const bool has_copies = all.has_copies();
   pass([&](const model::SensorPoint& point) {
     const Point at = to_point(point.position);
     for (auto hit = tree.qbegin(bgi::intersects(at)); hit != tree.qend(); ++hit) {
       Neighbourhood& around = fine[hit->second];
-      const auto& centre = sample.points()[centres[hit->second]];
-      if (around.points.size() < 1000 && (point.position - centre.position).norm() <= around.radius) {
-        around.points.push_back(point);
-      }
+      const auto& centre = sample.points[centres[hit->second]];
+      if (around.points.size() == 1000 || (point.position - centre.position).norm() > around.radius) continue;
+      if (!has_copies || !holds_copy(around, point)) around.points.push_back(point);
     }
   });
   return summarise(sample, look_at(sample, centres, fine, coarse));

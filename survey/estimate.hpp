@@ -5,39 +5,20 @@
 #include <functional>
 #include <limpet/model/sensor_point.hpp>
 #include <limpet/survey/noise_law.hpp>
-#include <limpet/survey/random.hpp>
-#include <vector>
+#include <limpet/survey/sample.hpp>
 
 namespace limpet::survey {
 
-/// A uniform random sample, of bounded size, of a stream of points (reservoir sampling). The seed is fixed,
-/// so that the same stream gives the same sample.
-class Sample {
- public:
-  explicit Sample(std::size_t size = 20'000) : size_(size) {}
-  void add(const model::SensorPoint& point);
-  const std::vector<model::SensorPoint>& points() const { return points_; }
-  /// Points of the stream so far.
-  std::int64_t count() const { return count_; }
-  /// How many points of the stream one point of the sample stands for.
-  double weight() const;
-
- private:
-  std::size_t size_;
-  std::vector<model::SensorPoint> points_;
-  std::int64_t count_ = 0;
-  Random random_{1};
-};
-
 /// What a scan tells about itself. A number is zero where the scan does not tell it, as where there are too
-/// few points or all of them are in one place.
+/// few points or all of them are in one place. Where points have exact copies (see Sample), each place is one
+/// point: a copy tells nothing of the surface.
 struct Estimate {
   double area_per_point = 0;  ///< mean area of the surface for each point, square of the scan's unit
   double sparse_area = 0;     ///< the same where the scan is sparse: 95 % of the surface has less
   NoiseLaw noise;             ///< standard deviation of a reading along its axis
   double near_range = 0;      ///< 95 % of the points are farther from the sensor, scan's unit; 0: not known
   double far_range = 0;       ///< 5 % of the points are farther
-  std::int64_t points = 0;    ///< points that were looked at
+  std::int64_t points = 0;    ///< points that were looked at, copies too
 };
 
 using Take = std::function<void(const model::SensorPoint&)>;
@@ -45,7 +26,10 @@ using Take = std::function<void(const model::SensorPoint&)>;
 /// Estimates from the points that `pass` hands out; it is called twice and hands out the same both times.
 Estimate estimate(const std::function<void(const Take&)>& pass);
 
-/// The same from a sample alone, for a stream that passes only once. The estimate is coarser.
+/// The same from a sample alone, for a stream that passes only once. The estimate is coarser: of a stream
+/// larger than the sample, it sees no two points that are nearer than those of the sample, nor does it know
+/// which noise or how many points there are at that scale; and the number of places of a stream with copies
+/// is known to a hundredth only.
 Estimate estimate(const Sample& sample);
 
 /// What a linear resolution λ has to be at least, scan's unit, for each thing that asks for it.

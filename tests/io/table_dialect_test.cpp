@@ -61,8 +61,8 @@ TEST_F(TableDialectTest, WholeNumbersLeaveTheDecimalSignOpen) {
 
 TEST_F(TableDialectTest, WhatCanBeReadInTwoWaysIsRefused) {
   for (const std::string row :
-       {"1,2,3 4,5,6", "1,2,3 4,5,6 7,8,9", "1,5, 2,5, 3,5", "1,5 2 3, 4", "1,5 2.5 3", "1,234.5 2,345.6 3,456.7",
-        "1,234.5, 2,345.6, 3,456.7", "1,234,567 2 3"})
+       {"1,2,3 4,5,6", "1,2,3 4,5,6 7,8,9", "1,5, 2,5, 3,5", "1,5 2 3, 4", "1,5 2.5 3",
+        "1,234.5 2,345.6 3,456.7", "1,234.5, 2,345.6, 3,456.7", "1,234,567 2 3"})
     expect_refused(row + "\n" + row + "\n", 0, {"line 1", in_quotes(row).substr(0, 20), "decimal points"});
   for (const std::string row : {"1.234,5;1;2", "1,234.5;1;2"})
     expect_refused(row + "\n", 0, {"line 1", "a comma and a point"});
@@ -114,14 +114,31 @@ TEST_F(TableDialectTest, NamesWithEverySeparator) {
 }
 
 TEST_F(TableDialectTest, ByteOrderMarks) {
-  expect_points("\xef\xbb\xbf" "1 2 3\n", {{1, 2, 3}});
+  expect_points(
+      "\xef\xbb\xbf"
+      "1 2 3\n",
+      {{1, 2, 3}});
   expect_points("\xef\xbb\xbfx;y;z\r\n1,5;2;3\r\n", {{1.5, 2, 3}});
   expect_points("\xef\xbb\xbf# label x y z\n9 1 2 3\n", {{1, 2, 3}});
   expect_refused("\xef\xbb\xbf", 0, {"empty"});
   using namespace std::string_literals;
-  expect_refused("\xff\xfe" "1\0 \0""2\0 \0""3\0\n\0"s, 0, {"UTF-16", "UTF-8"});
-  expect_refused("\xfe\xff\0""1\0 \0""2\0 \0""3\0\n"s, 0, {"UTF-16", "UTF-8"});
-  expect_refused("1\0 \0""2\0 \0""3\0\n\0"s, 0, {"line 1", "UTF-16"});
+  expect_refused(
+      "\xff\xfe"
+      "1\0 \0"
+      "2\0 \0"
+      "3\0\n\0"s,
+      0, {"UTF-16", "UTF-8"});
+  expect_refused(
+      "\xfe\xff\0"
+      "1\0 \0"
+      "2\0 \0"
+      "3\0\n"s,
+      0, {"UTF-16", "UTF-8"});
+  expect_refused(
+      "1\0 \0"
+      "2\0 \0"
+      "3\0\n\0"s,
+      0, {"line 1", "UTF-16"});
 }
 
 TEST_F(TableDialectTest, LinesThatEndWithCarriageReturns) {

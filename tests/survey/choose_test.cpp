@@ -7,6 +7,7 @@
 #include <limpet/survey/choose.hpp>
 
 #include "../temporary_folder.hpp"
+#include "copies.hpp"
 #include "simulated.hpp"
 
 namespace limpet::survey {
@@ -104,6 +105,29 @@ TEST_F(Choose, AScanWithoutAxesIsTurnedByItsShape) {
   for (Reading reading; points.next(reading);)
     inward += reading.point.axis.dot(middle - reading.point.position) > 0;
   EXPECT_GT(inward, 9'500);
+}
+
+TEST_F(Choose, ByEachPlaceOnce) {
+  for (const std::int64_t count : {5'000, 50'000}) {
+    std::vector<model::SensorPoint> points;
+    for (const auto& p : testing::SimulatedScan{"cube", count, Order::raster, 0.002, 0}.make())
+      points.push_back(p.point);
+    const auto chosen = [&](const std::vector<model::SensorPoint>& scan) {
+      const auto writer = io::create_scan(path("scan.ply"), {});
+      for (const auto& p : scan) writer->write({p, true, -1});
+      writer->close();
+      PointStream stream(path("scan.ply"));
+      return choose(stream).parameters;
+    };
+    const model::Parameters single = chosen(points);
+    for (const testing::Copies order : testing::kAllCopies) {
+      SCOPED_TRACE(std::to_string(count) + ", order " + std::to_string(static_cast<int>(order)));
+      const model::Parameters found = chosen(testing::thrice(points, order, 1));
+      EXPECT_NEAR(found.resolution / single.resolution, 1, 0.03);
+      EXPECT_NEAR(found.noise / single.noise, 1, 0.04);
+      EXPECT_NEAR(found.tolerance / single.tolerance, 1, 0.04);
+    }
+  }
 }
 
 TEST_F(Choose, NothingToChooseBy) {

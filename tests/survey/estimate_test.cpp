@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limpet/survey/estimate.hpp>
 
+#include "copies.hpp"
 #include "simulated.hpp"
 
 namespace limpet::survey {
@@ -62,6 +63,61 @@ TEST(Estimate, ARowOfPointsIsNoSurface) {
     for (int i = 0; i < 1000; ++i) take({Eigen::Vector3d(0.01 * i, 0, 0), Eigen::Vector3d::UnitZ()});
   });
   EXPECT_EQ(row.area_per_point, 0);
+}
+
+std::vector<model::SensorPoint> points_of(const Case& scan) {
+  std::vector<model::SensorPoint> points;
+  for (const auto& p : scan.make()) points.push_back(p.point);
+  return points;
+}
+
+Estimate estimate_of(const std::vector<model::SensorPoint>& points) {
+  return estimate([&](const Take& take) {
+    for (const auto& p : points) take(p);
+  });
+}
+
+Estimate estimate_once(const std::vector<model::SensorPoint>& points) {
+  Sample sample;
+  for (const auto& p : points) sample.add(p);
+  return estimate(sample);
+}
+
+void expect_alike(const Estimate& found, const Estimate& truth) {
+  EXPECT_NEAR(found.area_per_point / truth.area_per_point, 1, 0.04);
+  EXPECT_NEAR(found.sparse_area / truth.sparse_area, 1, 0.08);
+  EXPECT_NEAR(found.noise.fixed / truth.noise.fixed, 1, 0.04);
+}
+
+/// Copies in every order, of scans that fit in the sample with them, without them and not at all.
+TEST(Estimate, CopiesCountOnce) {
+  for (const std::int64_t count : {5'000, 15'000, 50'000, 200'000}) {
+    const auto points = points_of({"cube", count, Order::raster, 0.002, 0});
+    const Estimate single = estimate_of(points), single_once = estimate_once(points);
+    for (const testing::Copies order : testing::kAllCopies) {
+      SCOPED_TRACE(std::to_string(count) + ", order " + std::to_string(static_cast<int>(order)));
+      const auto copies = testing::thrice(points, order, 1);
+      expect_alike(estimate_of(copies), single);
+      expect_alike(estimate_once(copies), single_once);
+      EXPECT_EQ(estimate_of(copies).points, static_cast<std::int64_t>(copies.size()));
+    }
+  }
+}
+
+TEST(Estimate, CopiesOfAPartCountOnce) {
+  for (const std::int64_t count : {5'000, 50'000}) {
+    const auto points = points_of({"cube", count, Order::sampled, 0.002, 0});
+    for (const int times : {2, 7}) {
+      auto copies = points;
+      for (int i = 1; i < times; ++i) {
+        for (const auto& p : points) {
+          if (p.position.x() < 0.3) copies.push_back(p);
+        }
+      }
+      SCOPED_TRACE(std::to_string(count) + ", " + std::to_string(times) + " times");
+      expect_alike(estimate_of(copies), estimate_of(points));
+    }
+  }
 }
 
 /// An image of a desk before a wall, by a camera that rounds depths to steps that grow with their square;
