@@ -53,8 +53,9 @@ class ScanReader {
 
 /// Opens a scan: PLY (ASCII, binary little and big endian), PCD (ASCII, binary, compressed), XYZ
 /// (`x y z [nx ny nz]`, or columns named by a comment such as `# x y z ax ay az`) or PWN (`x y z nx ny nz`).
-/// `path` "-" is standard input. A first line of names (`"X","Y","Z",...`) names the columns of a table too.
-/// Without names, columns four to six are a normal, unless the first point's look like a colour (whole
+/// `path` "-" is standard input. Text is ASCII or UTF-8, its lines end as ByteSource::line() says, and tables
+/// are written as TableDialect says. A first line of names (`"X","Y","Z",...`) names the columns of a table
+/// too. Without names, columns four to six are a normal, unless the first point's look like a colour (whole
 /// numbers of 0 to 255, one of them above 9). The axis of a point comes from `ax ay az`, else minus the
 /// normal, else the direction from the viewpoint; it is left bit for bit where its length is 1 already, and
 /// normalised otherwise. Errors: InputError for what cannot be read, a damaged header, an unknown format, or

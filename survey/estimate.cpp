@@ -33,15 +33,6 @@ constexpr double kFlat = 0.15;  ///< thickness over radius below which a neighbo
 
 Point to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
-/// The points of a sample.
-struct Sampled {
-  explicit Sampled(const Sample& sample)
-      : points(sample.points()), weight(sample.weight()), count(sample.count()) {}
-  std::vector<model::SensorPoint> points;
-  double weight;       ///< points of the scan that each stands for
-  std::int64_t count;  ///< points of the scan, copies too
-};
-
 /// All points of a sample, or of the scan, that lie within a radius of a centre.
 struct Neighbourhood {
   std::vector<model::SensorPoint> points;
@@ -235,12 +226,12 @@ bool holds_copy(const Neighbourhood& around, const model::SensorPoint& point) {
 
 }  // namespace
 
-Estimate estimate(const Sample& sample) { return coarse_estimate(Sampled(sample)); }
+Estimate estimate(const Sample& sample) { return coarse_estimate(sample.result()); }
 
 Estimate estimate(const std::function<void(const Take&)>& pass) {
   Sample all;
   pass([&](const model::SensorPoint& point) { all.add(point); });
-  const Sampled sample(all);
+  const Sampled sample = all.result();
   if (sample.weight <= 1) return coarse_estimate(sample);
 
   // A second look, at all the points near the centres: as far as three times `kNeighbours` should lie.
@@ -256,14 +247,13 @@ Estimate estimate(const std::function<void(const Take&)>& pass) {
     boxes.emplace_back(Box(to_point(low), to_point(high)), static_cast<std::uint32_t>(fine.size() - 1));
   }
   const BoxTree tree(boxes);
-  const bool has_copies = all.has_copies();
   pass([&](const model::SensorPoint& point) {
     const Point at = to_point(point.position);
     for (auto hit = tree.qbegin(bgi::intersects(at)); hit != tree.qend(); ++hit) {
       Neighbourhood& around = fine[hit->second];
       const auto& centre = sample.points[centres[hit->second]];
       if (around.points.size() == 1000 || (point.position - centre.position).norm() > around.radius) continue;
-      if (!has_copies || !holds_copy(around, point)) around.points.push_back(point);
+      if (!sample.copies_left_out || !holds_copy(around, point)) around.points.push_back(point);
     }
   });
   return summarise(sample, look_at(sample, centres, fine, coarse));

@@ -1,8 +1,9 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/survey/sample.hpp>
 
+#include <algorithm>
 #include <bit>
-#include <iterator>
+#include <utility>
 
 namespace limpet::survey {
 namespace {
@@ -26,30 +27,44 @@ std::uint64_t hash(const Eigen::Vector3d& position) {
 
 void PositionSample::add(const model::SensorPoint& point) {
   const std::uint64_t key = hash(point.position);
-  if (key > greatest_) {
-    has_left_out_ = true;
-    return;
-  }
-  by_hash_.try_emplace(key, point);
-  if (by_hash_.size() > size_) {
-    by_hash_.erase(std::prev(by_hash_.end()));
-    has_left_out_ = true;
-  }
-  if (by_hash_.size() == size_) greatest_ = by_hash_.rbegin()->first;
+  if (key > greatest_) return;
+  keys_.push_back({key, static_cast<std::uint32_t>(points_.size())});
+  points_.push_back(point);
+  if (points_.size() >= 2 * size_) tidy();
 }
 
-std::vector<model::SensorPoint> PositionSample::points() const {
-  std::vector<model::SensorPoint> points;
-  points.reserve(by_hash_.size());
-  for (const auto& [key, point] : by_hash_) points.push_back(point);
-  return points;
+/// Sorted, the first of each hash, and one more than the sample's size where there are so many.
+std::vector<PositionSample::Key> PositionSample::least() const {
+  std::vector<Key> keys = keys_;
+  std::sort(keys.begin(), keys.end());
+  const auto same = [](const Key& a, const Key& b) { return a.hash == b.hash; };
+  keys.erase(std::unique(keys.begin(), keys.end(), same), keys.end());
+  if (keys.size() > size_ + 1) keys.resize(size_ + 1);
+  return keys;
 }
 
-double PositionSample::count() const {
-  const auto kept = static_cast<double>(by_hash_.size());
-  if (!has_left_out_) return kept;
-  // The hashes of n positions cut 0 … 2⁶⁴ into n + 1 parts of equal mean length.
-  return (kept - 1) / (static_cast<double>(by_hash_.rbegin()->first) * 0x1p-64);
+void PositionSample::tidy() {
+  keys_ = least();
+  std::vector<model::SensorPoint> kept;
+  kept.reserve(2 * size_);
+  for (Key& key : keys_) {
+    kept.push_back(points_[key.index]);
+    key.index = static_cast<std::uint32_t>(kept.size() - 1);
+  }
+  points_ = std::move(kept);
+  if (keys_.size() > size_) greatest_ = keys_.back().hash;
+}
+
+PositionSample::Result PositionSample::result() const {
+  std::vector<Key> keys = least();
+  Result result{{}, static_cast<double>(keys.size())};
+  if (keys.size() > size_) {
+    // The hashes of n positions cut 0 … 2⁶⁴ into n + 1 parts of equal mean length.
+    result.positions = static_cast<double>(size_) / (static_cast<double>(keys.back().hash) * 0x1p-64);
+    keys.pop_back();
+  }
+  for (const Key& key : keys) result.points.push_back(points_[key.index]);
+  return result;
 }
 
 void Sample::add(const model::SensorPoint& point) {
@@ -62,15 +77,18 @@ void Sample::add(const model::SensorPoint& point) {
   }
 }
 
-double Sample::weight() const {
-  if (points_.empty()) return 1;
-  if (has_copies()) return positions_.count() / static_cast<double>(positions_.size());
-  return static_cast<double>(count_) / static_cast<double>(points_.size());
-}
-
-bool Sample::has_copies() const {
+Sampled Sample::result() const {
   constexpr double kFew = 0.05;  // seven times as far as the number of positions may be off
-  return positions_.count() < (1 - kFew) * static_cast<double>(count_);
+  const auto weight = [](double all, const std::vector<model::SensorPoint>& points) {
+    return points.empty() ? 1 : all / static_cast<double>(points.size());
+  };
+  const auto count = static_cast<double>(count_);
+  PositionSample::Result places = positions_.result();
+  if (places.positions < (1 - kFew) * count) {
+    const double each = weight(places.positions, places.points);
+    return {std::move(places.points), each, count_, true};
+  }
+  return {points_, weight(count, points_), count_, false};
 }
 
 }  // namespace limpet::survey

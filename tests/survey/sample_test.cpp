@@ -23,10 +23,10 @@ Points lattice(int side, std::uint64_t seed) {
   return points;
 }
 
-Sample sample_of(const Points& points, std::size_t size) {
+Sampled sample_of(const Points& points, std::size_t size) {
   Sample sample(size);
   for (const auto& point : points) sample.add(point);
-  return sample;
+  return sample.result();
 }
 
 std::vector<Eigen::Vector3d> positions(const Points& points) {
@@ -37,15 +37,15 @@ std::vector<Eigen::Vector3d> positions(const Points& points) {
 
 TEST(Sample, OfAStreamWithoutCopiesIsOfItsPoints) {
   const Points points = lattice(100, 1);
-  const Sample whole = sample_of(points, 20'000), part = sample_of(points, 1000);
-  EXPECT_EQ(positions(whole.points()), positions(points)) << "in their order";
-  EXPECT_EQ(whole.weight(), 1);
-  EXPECT_EQ(part.points().size(), 1000u);
-  EXPECT_EQ(part.weight(), 10);
-  EXPECT_FALSE(whole.has_copies());
-  EXPECT_FALSE(part.has_copies());
-  EXPECT_EQ(Sample().weight(), 1);
-  EXPECT_TRUE(Sample().points().empty());
+  const Sampled whole = sample_of(points, 20'000), part = sample_of(points, 1000);
+  EXPECT_EQ(positions(whole.points), positions(points)) << "in their order";
+  EXPECT_EQ(whole.weight, 1);
+  EXPECT_EQ(part.points.size(), 1000u);
+  EXPECT_EQ(part.weight, 10);
+  EXPECT_FALSE(whole.copies_left_out);
+  EXPECT_FALSE(part.copies_left_out);
+  EXPECT_EQ(Sample().result().weight, 1);
+  EXPECT_TRUE(Sample().result().points.empty());
 }
 
 TEST(Sample, OfAStreamWithCopiesIsOfItsPositionsInWhateverOrder) {
@@ -53,10 +53,10 @@ TEST(Sample, OfAStreamWithCopiesIsOfItsPositionsInWhateverOrder) {
   for (const std::size_t size : {1000, 20'000}) {
     std::vector<Eigen::Vector3d> first;
     for (const Copies order : testing::kAllCopies) {
-      const Sample sample = sample_of(testing::thrice(points, order, 3), size);
-      ASSERT_TRUE(sample.has_copies());
-      EXPECT_EQ(sample.count(), 30'000);
-      auto found = positions(sample.points());
+      const Sampled sample = sample_of(testing::thrice(points, order, 3), size);
+      ASSERT_TRUE(sample.copies_left_out);
+      EXPECT_EQ(sample.count, 30'000);
+      auto found = positions(sample.points);
       if (first.empty()) first = found;
       EXPECT_EQ(found, first);
       const auto less = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -65,7 +65,7 @@ TEST(Sample, OfAStreamWithCopiesIsOfItsPositionsInWhateverOrder) {
       std::sort(found.begin(), found.end(), less);
       EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
       EXPECT_EQ(found.size(), std::min<std::size_t>(size, points.size()));
-      const double places = sample.weight() * static_cast<double>(found.size());
+      const double places = sample.weight * static_cast<double>(found.size());
       EXPECT_NEAR(places, 10'000, size == 1000 ? 1000 : 0);
     }
   }
@@ -78,7 +78,7 @@ TEST(Sample, IsUniformOverPositions) {
     const bool is_left = point.position.x() < 200 / 64.0 / 2;
     for (int i = 0; i < (is_left ? 1 : 9); ++i) points.push_back(point);
   }
-  const Points found = sample_of(points, 4000).points();
+  const Points found = sample_of(points, 4000).points;
   const auto left = std::count_if(found.begin(), found.end(),
                                   [](const auto& p) { return p.position.x() < 200 / 64.0 / 2; });
   EXPECT_NEAR(static_cast<double>(left), 2000, 5 * std::sqrt(1000.0));
@@ -87,18 +87,18 @@ TEST(Sample, IsUniformOverPositions) {
 TEST(Sample, AFewCopiesChangeNothing) {
   Points points = lattice(100, 5);
   for (int i = 0; i < 300; ++i) points.push_back(points[static_cast<std::size_t>(i)]);
-  EXPECT_FALSE(sample_of(points, 20'000).has_copies());
-  EXPECT_EQ(positions(sample_of(points, 20'000).points()), positions(points));
+  EXPECT_FALSE(sample_of(points, 20'000).copies_left_out);
+  EXPECT_EQ(positions(sample_of(points, 20'000).points), positions(points));
 }
 
 TEST(PositionSample, BothZerosAreOnePosition) {
   PositionSample sample(10);
   sample.add({Eigen::Vector3d(0, 1, 2), Eigen::Vector3d::UnitX()});
   sample.add({Eigen::Vector3d(-0.0, 1, 2), Eigen::Vector3d::UnitY()});
-  ASSERT_EQ(sample.points().size(), 1u);
-  EXPECT_EQ(sample.points()[0].axis, Eigen::Vector3d::UnitX()) << "the first of them";
+  ASSERT_EQ(sample.result().points.size(), 1u);
+  EXPECT_EQ(sample.result().points[0].axis, Eigen::Vector3d::UnitX()) << "the first of them";
   sample.add({Eigen::Vector3d(1, 0, 2), Eigen::Vector3d::UnitX()});
-  EXPECT_EQ(sample.count(), 2) << "the order of the coordinates matters";
+  EXPECT_EQ(sample.result().positions, 2) << "the order of the coordinates matters";
 }
 
 TEST(PositionSample, CountsToWithinOneOverTheRootOfItsSize) {
@@ -107,7 +107,7 @@ TEST(PositionSample, CountsToWithinOneOverTheRootOfItsSize) {
     PositionSample sample(5000);
     for (int i = 0; i < 100'000; ++i)
       sample.add({Eigen::Vector3d(random.uniform(), random.uniform(), 1), Eigen::Vector3d::UnitZ()});
-    EXPECT_NEAR(sample.count() / 100'000, 1, 5 / std::sqrt(5000.0)) << "seed " << seed;
+    EXPECT_NEAR(sample.result().positions / 100'000, 1, 5 / std::sqrt(5000.0)) << "seed " << seed;
   }
 }
 
