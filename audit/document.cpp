@@ -4,6 +4,7 @@
 #include <limpet/audit/document.hpp>
 #include <sstream>
 #include <type_traits>
+#include <vector>
 
 namespace limpet::audit {
 namespace {
@@ -29,11 +30,14 @@ bool read_number(std::string_view text, Number& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
+// No line of a model comes near it; without a limit an endless line would be read until memory is full.
+constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+
 class Reader {
  public:
-  explicit Reader(std::istream& input) : input_(input) { advance(); }
+  explicit Reader(std::istream& input) : input_(input), line_(kLongestLine + 1) { advance(); }
 
-  const std::string& line() const { return line_; }
+  std::string_view line() const { return {line_.data(), length_}; }
 
   // The first word of the current line.
   std::string_view keyword() const { return fields_.front(); }
@@ -59,13 +63,25 @@ class Reader {
   [[noreturn]] void fail(const std::string& what) const { throw DocumentError(line_number_, what); }
 
  private:
+  void read_line() {
+    input_.getline(line_.data(), static_cast<std::streamsize>(line_.size()));
+    const auto taken = static_cast<std::size_t>(input_.gcount());
+    if (taken == 0) fail("the file ends early");
+    if (input_.eof())
+      length_ = taken;  // the last line, which has no end
+    else if (input_.fail())
+      fail("a line of more than 1 MiB");
+    else
+      length_ = taken - 1;
+  }
+
   void advance() {
     do {
       ++line_number_;
-      if (!std::getline(input_, line_)) fail("the file ends early");
-    } while (!line_.empty() && line_.front() == '#');
+      read_line();
+    } while (line().starts_with('#'));
     fields_.clear();
-    const std::string_view line = line_;
+    const std::string_view line = this->line();
     for (std::size_t begin = 0; begin <= line.size();) {
       const std::size_t end = std::min(line.find(' ', begin), line.size());
       if (end == begin) fail(line.empty() ? "empty line" : "empty field");
@@ -96,7 +112,8 @@ class Reader {
   }
 
   std::istream& input_;
-  std::string line_;
+  std::vector<char> line_;  // its first length_ bytes
+  std::size_t length_ = 0;
   std::vector<std::string_view> fields_;
   std::size_t next_field_ = 0;
   std::size_t line_number_ = 0;

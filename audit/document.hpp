@@ -86,8 +86,8 @@ class DocumentError : public std::runtime_error {
   std::size_t line_;
 };
 
-/// Parses a native model file (docs/native_format.md). Throws DocumentError. Memory use is proportional to
-/// the length of the input, whatever counts it claims.
+/// Parses a native model file (docs/native_format.md). Throws DocumentError, also for a line of more than
+/// 1 MiB. Memory use is proportional to the length of the input, whatever counts it claims.
 Document parse_document(std::istream& input);
 Document parse_document(std::string_view text);
 

@@ -9,7 +9,9 @@ const std::vector<Law>& laws() {
   static const std::vector<Law> all = {
       {"finite", "every number is finite"},
       {"parameters",
-       "resolution > 0, 0 < angle < pi/2, noise and tolerance >= 0, the grid step a power of two"},
+       "1e-150 < resolution < 1e150, 0 < angle < pi/2, noise and tolerance >= 0, the grid step a power of "
+       "two, "
+       "at most the resolution and at least 2^-20 of it"},
       {"segment-identity", "segment identities are nonzero, unique, and below the next one"},
       {"edge-identity", "edge identities are nonzero, unique over the model, and below the next one"},
       {"segment-count", "the header counts as many segments of each kind as there are"},
@@ -21,10 +23,14 @@ const std::vector<Law>& laws() {
       {"axes", "raw sensing axes are unit vectors that sum to the segment's; no sum is longer than m"},
       {"point-variance", "the sensor points of a point segment have variance below resolution^2"},
       {"plane-variance", "the sensor points of a polygon have variance below resolution^2 about its plane"},
-      {"chart", "the chart axes u, v, n are orthonormal and right-handed"},
+      {"chart",
+       "the chart axes u, v, n are orthonormal and right-handed, the initial normal is a unit vector"},
       {"tilt", "the published plane is within 3 degrees of the chart"},
       {"outward", "the plane's normal faces against the sum of the sensing axes"},
-      {"grid", "unless arithmetic is float, chart coordinates are whole and at most 2^40"},
+      {"grid",
+       "sensor points are whole and within 2^48 steps of the origin, planes within 2^49; unless arithmetic "
+       "is "
+       "float, chart coordinates are whole and at most 2^40"},
       {"cycle-size", "a polygon has an outer cycle, and every cycle at least three vertices"},
       {"edge-length", "no edge has zero length"},
       {"simple", "edges of one segment meet only where consecutive ones join"},
@@ -57,13 +63,16 @@ std::vector<Violation> judge(const Document& document) {
     if (!is_finite(segment)) continue;
     judge_data(segment, report);
     if (segment.moments.m == 0) report.add("moments", segment_name(segment), "a point segment has no data");
+    judge_points_on_grid(segment, report);
     if (has_scale) judge_point(segment, step, resolution, report);
   }
   for (const Polygon& polygon : document.polygons) {
     if (!is_finite(polygon)) continue;
     judge_data(polygon, report);
     if (has_scale) judge_plane(polygon, step, resolution, report);
-    if (document.arithmetic != Arithmetic::kFloat) judge_grid(polygon, report);
+    judge_points_on_grid(polygon, report);
+    if (has_scale) judge_chart_on_grid(polygon, step, report);
+    judge_vertices_on_grid(polygon, document.arithmetic != Arithmetic::kFloat, report);
     judge_perimeter(polygon, report);
   }
   judge_shared_edges(document, report);

@@ -102,6 +102,8 @@ void judge_chart(const Polygon& polygon, Report& report) {
                            std::abs(product(u, v)) <= kUnitTolerance;
   if (!orthonormal || distance(right_handed, n) > kUnitTolerance)
     report.add("chart", segment_name(polygon), "u, v, n are not orthonormal and right-handed");
+  if (!(std::abs(length(polygon.initial_normal) - 1) <= kUnitTolerance))
+    report.add("chart", segment_name(polygon), "the initial normal is no unit vector");
 }
 
 void judge_tilt(const Polygon& polygon, Report& report) {

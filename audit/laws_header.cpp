@@ -66,6 +66,8 @@ void judge_parameters(const Document& document, Report& report) {
     if (broken) report.add("parameters", "header", what);
   };
   demand_not(document.resolution <= 0, "resolution is not above 0");
+  demand_not(document.resolution > 0 && (document.resolution <= 1e-150 || document.resolution >= 1e150),
+             "resolution is out of range");
   demand_not(document.angle <= 0 || document.angle >= std::acos(0.0), "angle is not in (0, pi/2)");
   demand_not(document.noise < 0, "noise is below 0");
   demand_not(document.tolerance < 0, "tolerance is below 0");
@@ -76,6 +78,9 @@ void judge_parameters(const Document& document, Report& report) {
   int exponent = 0;
   demand_not(std::isfinite(document.step) && std::frexp(document.step, &exponent) != 0.5,
              "the grid step is not a power of two");
+  demand_not(document.step > 0 && document.resolution > 0 &&
+                 (document.step > document.resolution || document.step < 0x1p-20 * document.resolution),
+             "the grid step is not at most the resolution and at least 2^-20 of it");
 }
 
 void judge_identities(const Document& document, Report& report) {

@@ -39,8 +39,13 @@ void judge_data(const Segment&, Report&);
 void judge_point(const Segment&, double step, double resolution, Report&);
 void judge_plane(const Polygon&, double step, double resolution, Report&);
 
+// laws_grid.cpp
+void judge_points_on_grid(const Segment&, Report&);
+void judge_chart_on_grid(const Polygon&, double step, Report&);
+/// `rounded`: are the vertices to be grid points?
+void judge_vertices_on_grid(const Polygon&, bool rounded, Report&);
+
 // laws_perimeter.cpp
-void judge_grid(const Polygon&, Report&);
 void judge_perimeter(const Polygon&, Report&);
 
 // laws_shared.cpp; polygons with numbers that are not finite are left out of the geometric laws

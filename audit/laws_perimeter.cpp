@@ -8,8 +8,6 @@
 namespace limpet::audit::internal {
 namespace {
 
-constexpr double kGridLimit = 0x1p40;
-
 struct Box {
   Point low, high;
 };
@@ -113,16 +111,6 @@ void judge_nesting(const Polygon& polygon, const Outline& outline, Report& repor
 }
 
 }  // namespace
-
-void judge_grid(const Polygon& polygon, Report& report) {
-  const auto is_on_grid = [](double x) { return x == std::trunc(x) && std::abs(x) <= kGridLimit; };
-  for (std::size_t c = 0; c < polygon.cycles.size(); ++c)
-    for (std::size_t i = 0; i < polygon.cycles[c].size(); ++i) {
-      const Vertex& vertex = polygon.cycles[c][i];
-      if (!is_on_grid(vertex.x) || !is_on_grid(vertex.y))
-        report.add("grid", vertex_name(polygon, c, i), "not a grid point within 2^40 steps");
-    }
-}
 
 void judge_perimeter(const Polygon& polygon, Report& report) {
   judge_sizes(polygon, report);

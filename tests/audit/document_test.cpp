@@ -1,4 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <fstream>
+
 #include "models.hpp"
 
 namespace limpet::audit {
@@ -131,6 +133,23 @@ TEST(Document, BelievesNoCount) {
   }
   EXPECT_EQ(broken(parse_document(replaced(text, "segments 1 7", "segments " + huge + " 7"))),
             Names{"segment-count"});
+}
+
+TEST(Document, ALineOfMoreThanAMegabyteIsAnError) {
+  const std::string text = text_of(everything());
+  const auto with_comment = [&](std::size_t length) {
+    return "#" + std::string(length - 1, ' ') + "\n" + text;
+  };
+  const auto with_last = [&](std::size_t length) {
+    return text.substr(0, text.size() - 4) + std::string(length, 'x');
+  };
+  EXPECT_EQ(error_line(with_comment(1 << 20)), 0u);
+  EXPECT_EQ(error_line(with_comment((1 << 20) + 1)), 1u);
+  EXPECT_EQ(error_line(with_last((1 << 20) - 1)), error_line(with_last((1 << 20) + 1)));
+  // A line without an end is not read to its end.
+  std::ifstream zeros("/dev/zero", std::ios::binary);
+  if (!zeros) GTEST_SKIP() << "no /dev/zero here";
+  EXPECT_THROW(parse_document(zeros), DocumentError);
 }
 
 TEST(Document, EveryTruncationIsAnError) {

@@ -48,6 +48,28 @@ std::vector<LawCase> header_cases() {
          d = document_of({rectangle(0, 0, 9, 9)});
          d.step = std::nextafter(kStep, 1);
        }},
+      {"parameters", "resolution below that of any model",
+       [](Document& d) {
+         d = empty_document();
+         d.resolution = 1e-151;
+         d.step = 0x1p-510;
+       }},
+      {"parameters", "resolution above that of any model",
+       [](Document& d) {
+         d = empty_document();
+         d.resolution = 1e151;
+         d.step = 0x1p490;
+       }},
+      {"parameters", "step above the resolution",
+       [](Document& d) {
+         d = empty_document();
+         d.step = 1;
+       }},
+      {"parameters", "step far below the resolution",
+       [](Document& d) {
+         d = empty_document();
+         d.step = 0x1p-40;
+       }},
       {"segment-identity", "0", [](Document& d) { point(d).id = 0; }},
       {"segment-identity", "used twice", [](Document& d) { plate(d).id = point(d).id; }},
       {"segment-identity", "not below the next", [](Document& d) { --d.next_segment; }},
@@ -117,6 +139,8 @@ std::vector<LawCase> fit_cases() {
       {"chart", "u too short", [](Document& d) { plate(d).u[0] = 1 - 1e-8; }},
       {"chart", "u and v not at right angles", [](Document& d) { plate(d).v[0] = 1e-8; }},
       {"chart", "n not at right angles", [](Document& d) { plate(d).n[1] = 1e-8; }},
+      {"chart", "an initial normal of another length",
+       [](Document& d) { plate(d).initial_normal[2] = 1 + 1e-8; }},
       {"tilt", "3.01 degrees", [](Document& d) { plate(d).hx = std::tan(3.01 * std::numbers::pi / 180); }},
       {"tilt", "both slopes", [](Document& d) { plate(d).hx = plate(d).hy = -0.0371; }},
       {"outward", "sensed from behind", [](Document& d) { plate(d).axis_sum[2] = 0x1p-1074; }},
@@ -142,6 +166,21 @@ std::vector<LawCase> perimeter_cases() {
   const auto flip = [](Cycle& cycle) { std::reverse(cycle.begin(), cycle.end()); };
   return {
       {"grid", "half a step", [=](Document& d) { outer(d)[2].x += 0.5; }},
+      {"grid", "a raw point between grid points",
+       [](Document& d) {
+         Segment& s = point(d);
+         s.raw.assign(4, RawPoint{{0.5, 0, 0}, {0, 0, -1}, 0});
+         s.moments = centred(4, {1, 0, 0, 0, 0, 0});
+         s.moments.sum[0] = 2;
+         s.axis_sum = {0, 0, -4};
+         ++d.points;
+       }},
+      {"grid", "a point beyond 2^48 steps",
+       [](Document& d) {
+         add_bare_point(d, moments_of({{(std::int64_t{1} << 48) + 1, 0, 0}}));
+       }},
+      {"grid", "an initial centroid beyond 2^49 steps",
+       [](Document& d) { plate(d).initial_centroid[1] = -0x1.0000000000001p49 * kStep; }},
       {"grid", "beyond 2^40", [=](Document& d) { outer(d)[2].x = 0x1p40 + 1; }},
       {"cycle-size", "no cycle", [](Document& d) { plate(d).cycles.clear(); }},
       {"cycle-size", "empty hole", [=](Document& d) { first_hole(d).clear(); }},

@@ -45,6 +45,17 @@ TEST(ValidModels, OneStepFromBrokenPasses) {
          for (Vertex& p : plate(d).cycles[1]) p.x += 199, p.y += 500;
        }},
       {"grid", "2^40", [](Document& d) { plate(d).cycles[0][2].x = 0x1p40; }},
+      {"grid", "an initial centroid 2^49 steps away",
+       [](Document& d) { plate(d).initial_centroid[1] = -0x1p49 * kStep; }},
+      {"grid", "a point 2^48 steps away",
+       [](Document& d) {
+         add_bare_point(d, moments_of({{std::int64_t{1} << 48, 0, 0}}));
+       }},
+      {"parameters", "a step of the resolution",
+       [](Document& d) {
+         d = empty_document();
+         d.resolution = kStep;
+       }},
       {"point-variance", "a step", [](Document& d) { add_bare_point(d, apart(kResolutionSteps - 1)); }},
       {"plane-variance", "a step", [](Document& d) { plate(d).h0 += kResolutionSteps - 1; }},
       {"moments", "correlation 1",
@@ -71,13 +82,15 @@ TEST(ValidModels, OneStepFromBrokenPasses) {
 
 TEST(ValidModels, FreeCoordinatesNeedNoGrid) {
   Document document = document_of({rectangle(0, 0, 1, 1)});
-  document.polygons[0].cycles[0][2].x = 0x1p60;
+  document.polygons[0].cycles[0][2].x = 0x1p49;
   document.polygons[0].cycles[0][2].y = 0.1;
   EXPECT_EQ(broken(document), Names{"grid"});
   document.arithmetic = Arithmetic::kFloatGrid;
   EXPECT_EQ(broken(document), Names{"grid"});
   document.arithmetic = Arithmetic::kFloat;
   EXPECT_EQ(broken(document), kNothing);
+  document.polygons[0].cycles[0][2].x = 0x1.0000000000001p49;
+  EXPECT_EQ(broken(document), Names{"grid"});
 }
 
 TEST(ValidModels, AFreePerimeterIsJudgedExactly) {
