@@ -10,14 +10,19 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace limpet::io::internal {
+
+/// The longest line of a native file, its end left out: as of a scan (ByteSource).
+inline constexpr std::size_t kLongestLine = 1 << 20;
 
 /// Lines of a native file, taken apart field by field. Counts are promises, never reasons to allocate: every
 /// record is pushed as its line is read, so a lying count ends at the end of the file.
 class Fields {
  public:
-  Fields(std::istream& stream, const std::string& name) : stream_(stream), name_(name) {}
+  Fields(std::istream& stream, const std::string& name)
+      : stream_(stream), name_(name), buffer_(kLongestLine + 1) {}
 
   [[noreturn]] void fail(const std::string& what) const {
     throw InputError(name_ + ": line " + std::to_string(line_) + ": " + what + "; see docs/native_format.md");
@@ -28,10 +33,8 @@ class Fields {
     if (std::exchange(kept_, false)) return;
     do {
       ++line_;
-      if (!std::getline(stream_, text_)) fail("the file ends before its 'end' line (truncated?)");
-      if (stream_.eof()) fail("the file ends within a line (truncated?)");
-    } while (text_.starts_with('#'));
-    rest_ = text_;
+      read_line();
+    } while (rest_.starts_with('#'));
     ended_ = false;
   }
 
@@ -70,8 +73,21 @@ class Fields {
     return value;
   }
 
+  /// A number of at most this size; `what` says in a message what a larger one is.
+  double real_within(double limit, const char* what) {
+    const std::string_view token = rest_.substr(0, rest_.find(' '));
+    const double value = real();
+    if (!(std::abs(value) <= limit)) fail(in_quotes(token) + " is " + what);
+    return value;
+  }
+
   Eigen::Vector3d vector() {
     const double x = real(), y = real(), z = real();
+    return {x, y, z};
+  }
+
+  Eigen::Vector3d vector_within(double limit, const char* what) {
+    const double x = real_within(limit, what), y = real_within(limit, what), z = real_within(limit, what);
     return {x, y, z};
   }
 
@@ -101,11 +117,22 @@ class Fields {
   }
 
  private:
+  void read_line() {
+    stream_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    const auto taken = static_cast<std::size_t>(stream_.gcount());
+    if (stream_.eof())
+      fail(taken == 0 ? "the file ends before its 'end' line (truncated?)"
+                      : "the file ends within a line (truncated?)");
+    if (taken == kLongestLine && stream_.fail()) fail("longer than 1 MiB; is this a binary file?");
+    if (stream_.fail()) fail("the file cannot be read any further");
+    rest_ = {buffer_.data(), taken - 1};  // the line's end is counted, too
+  }
+
   std::istream& stream_;
   const std::string& name_;
   long line_ = 0;
-  std::string text_;
-  std::string_view rest_;
+  std::vector<char> buffer_;  ///< the line
+  std::string_view rest_;     ///< of it, what has not been taken
   bool ended_ = true;
   bool kept_ = false;
 };

@@ -13,6 +13,16 @@ namespace {
 
 using internal::Fields;
 
+// Limits of what is read, with their reasons: docs/native_format.md. No sound model comes near them.
+constexpr double kFarthestSteps = 0x1p49;  ///< of places, from the world's origin and in a chart
+constexpr int kMostExponent = 520;         ///< of the grid step
+constexpr double kSteepest = 1;            ///< slope of a published plane over its chart
+constexpr double kLongestAxis = 2;         ///< in each coordinate, of what is to be a unit vector
+
+constexpr const char* kTooFar = "farther than 2^49 grid steps";
+constexpr const char* kTooSteep = "too steep: a plane is within 45 degrees of its chart";
+constexpr const char* kTooLong = "no coordinate of a unit vector";
+
 double single(Fields& in, std::string_view word) {
   in.line(word);
   const double value = in.real();
@@ -36,8 +46,12 @@ std::vector<model::RawPointRecord> read_raw(Fields& in) {
   for (std::int64_t i = 0; i < count; ++i) {
     in.line();
     model::RawPointRecord& point = raw.emplace_back();
-    for (std::int64_t& coordinate : point.at) coordinate = in.integer<std::int64_t>();
-    point.axis = in.vector();
+    for (std::int64_t& coordinate : point.at) {
+      coordinate = in.integer<std::int64_t>();
+      if (std::abs(static_cast<double>(coordinate)) > kFarthestSteps)
+        in.fail("a sensor point is " + std::string(kTooFar));
+    }
+    point.axis = in.vector_within(kLongestAxis, kTooLong);
     const std::int64_t returned = in.count();
     if (returned > std::numeric_limits<int>::max()) in.fail("a point returned too often");
     point.returned = static_cast<int>(returned);
@@ -69,8 +83,8 @@ std::vector<model::VertexRecord> read_cycle(Fields& in) {
   for (std::int64_t i = 0; i < count; ++i) {
     in.line();
     model::VertexRecord& vertex = cycle.emplace_back();
-    vertex.x = in.real();
-    vertex.y = in.real();
+    vertex.x = in.real_within(kFarthestSteps, kTooFar);
+    vertex.y = in.real_within(kFarthestSteps, kTooFar);
     vertex.edge = in.integer<std::uint64_t>();
     vertex.partner = in.integer<std::uint64_t>();
     in.done();
@@ -78,21 +92,28 @@ std::vector<model::VertexRecord> read_cycle(Fields& in) {
   return cycle;
 }
 
-model::PolygonSegmentRecord read_polygon(Fields& in) {
-  auto segment = begin_segment<model::PolygonSegmentRecord>(in, "polygon");
+void read_planes(Fields& in, double step, model::PolygonSegmentRecord& segment) {
+  const double farthest = kFarthestSteps * step;
   in.line("chart");
-  segment.chart_origin = in.vector();
-  segment.chart_u = in.vector();
-  segment.chart_v = in.vector();
-  segment.chart_normal = in.vector();
+  segment.chart_origin = in.vector_within(farthest, kTooFar);
+  segment.chart_u = in.vector_within(kLongestAxis, kTooLong);
+  segment.chart_v = in.vector_within(kLongestAxis, kTooLong);
+  segment.chart_normal = in.vector_within(kLongestAxis, kTooLong);
   in.done();
   in.line("height");
-  for (double& coefficient : segment.height) coefficient = in.real();
+  segment.height[0] = in.real_within(kFarthestSteps, kTooFar);
+  segment.height[1] = in.real_within(kSteepest, kTooSteep);
+  segment.height[2] = in.real_within(kSteepest, kTooSteep);
   in.done();
   in.line("initial");
-  segment.initial_centroid = in.vector();
-  segment.initial_normal = in.vector();
+  segment.initial_centroid = in.vector_within(farthest, kTooFar);
+  segment.initial_normal = in.vector_within(kLongestAxis, kTooLong);
   in.done();
+}
+
+model::PolygonSegmentRecord read_polygon(Fields& in, double step) {
+  auto segment = begin_segment<model::PolygonSegmentRecord>(in, "polygon");
+  read_planes(in, step, segment);
   if (in.optional_line("confirmed")) {
     segment.confirmed = in.count();
     in.done();
@@ -148,6 +169,7 @@ double read_grid(Fields& in) {
   const double step = single(in, "grid");
   int exponent = 0;
   if (!(step > 0) || std::frexp(step, &exponent) != 0.5) in.fail("the grid step is not a power of two");
+  if (std::abs(exponent) > kMostExponent) in.fail("the grid step is none that a model has");
   return step;
 }
 
@@ -213,7 +235,8 @@ model::ModelRecord read_native(std::istream& stream, const std::string& name) {
     auto& segment = model.point_segments.emplace_back(begin_segment<model::PointSegmentRecord>(in, "point"));
     segment.raw = read_raw(in);
   }
-  for (std::int64_t i = 0; i < polygons; ++i) model.polygon_segments.push_back(read_polygon(in));
+  for (std::int64_t i = 0; i < polygons; ++i)
+    model.polygon_segments.push_back(read_polygon(in, model.grid_step));
   in.line("end");
   in.done();
   in.nothing_more();

@@ -18,9 +18,11 @@ namespace limpet::cases {
 ///   promise);
 ///   - meshes: finite vertices, indices in range, a face for every triangle (law promise);
 ///   - labels: of a list, one for every line that is no comment (law promise);
-///   - native: written again it reads back to the same bytes (law native); the oracle's own reader, which
-///     shares no code with it, takes and refuses the same files (law grammar); of what the oracle finds
-///     nothing wrong with, a model can be made (law native), and it stays sound when points come (law audit).
+///   - native: written again it reads back to the same bytes (law native); what the oracle's own reader
+///   refuses,
+///     which shares no code with it, it refuses too, and what the oracle finds nothing wrong with, it takes
+///     (law grammar); of that, where its grid is that of its resolution, a model can be made (law native),
+///     and it stays sound when points come (law audit).
 struct FileCase {
   static constexpr const char* kKind = "file";
   std::string format;  ///< ply, pcd, xyz, pwn: a scan; off, stl, obj, mesh-ply: a mesh; labels; limpet

@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <fstream>
 #include <limits>
 #include <limpet/io/native.hpp>
 #include <limpet/model/model.hpp>
@@ -177,6 +178,63 @@ TEST_F(NativeTest, EveryTruncationIsRefused) {
   for (std::size_t size = 0; size < text.size(); ++size) {
     EXPECT_NE(error_of(text.substr(0, size)), "") << "cut to " << size << " bytes";
   }
+}
+
+/// The text with its nth field of the first line that begins with the word replaced.
+std::string with_field(const std::string& text, const std::string& word, int n, const std::string& value) {
+  std::size_t begin = text.find("\n" + word + " ") + 1;
+  for (int i = 0; i < n; ++i) begin = text.find(' ', begin) + 1;
+  return std::string(text).replace(begin, text.find_first_of(" \n", begin) - begin, value);
+}
+
+/// docs/native_format.md, "Limits": at each of them a file is read, beyond it it is refused.
+TEST_F(NativeTest, NumbersBeyondWhatAModelHoldsAreRefused) {
+  const std::string text = text_of(rich_model());  // its grid step is 1/4096
+  const std::string vertex = "4096.5";
+  struct Limit {
+    const char* word;
+    int field;
+    const char *most, *more, *says;
+  };
+  const Limit limits[] = {
+      {"height", 1, "562949953421312", "562949953421313", "farther than 2^49 grid steps"},
+      {"height", 1, "562949953421312", "1e20", "farther than 2^49 grid steps"},
+      {"height", 1, "-562949953421312", "-1e308", "farther than 2^49 grid steps"},
+      {"height", 2, "1", "1.0000001", "too steep"},
+      {"height", 3, "-1", "-1e20", "too steep"},
+      {"chart", 1, "137438953472", "137438953472.5", "farther than 2^49 grid steps"},
+      {"chart", 3, "-137438953472", "-1e30", "farther than 2^49 grid steps"},
+      {"chart", 4, "2", "2.5", "no coordinate of a unit vector"},
+      {"chart", 12, "-2", "-1e308", "no coordinate of a unit vector"},
+      {"initial", 2, "137438953472", "1e12", "farther than 2^49 grid steps"},
+      {"initial", 6, "2", "1e9", "no coordinate of a unit vector"},
+      {vertex.c_str(), 0, "562949953421312", "1e15", "farther than 2^49 grid steps"},
+      {vertex.c_str(), 1, "-562949953421312", "-1e15", "farther than 2^49 grid steps"},
+      {"-5", 0, "562949953421312", "9223372036854775807", "farther than 2^49 grid steps"},
+      {"-5", 1, "-562949953421312", "-9223372036854775808", "farther than 2^49 grid steps"},
+      {"-5", 3, "2", "1e300", "no coordinate of a unit vector"},
+  };
+  for (const Limit& l : limits) {
+    SCOPED_TRACE(std::string(l.word) + " field " + std::to_string(l.field));
+    EXPECT_EQ(error_of(with_field(text, l.word, l.field, l.most)), "");
+    const std::string error = error_of(with_field(text, l.word, l.field, l.more));
+    EXPECT_NE(error.find(l.says), std::string::npos) << error;
+    EXPECT_NE(error.find("docs/native_format.md"), std::string::npos) << error;
+  }
+  EXPECT_NE(error_of(with_field(text, "grid", 1, std::to_string(0x1p521))), "");
+  EXPECT_NE(error_of(with_field(text, "grid", 1, "9.88131291682493e-324")), "");
+}
+
+TEST_F(NativeTest, ALineOfMoreThanAMegabyteIsRefused) {
+  const std::string text = text_of(cube());
+  const auto comment = [](std::size_t length) { return "#" + std::string(length - 1, 'x') + "\n"; };
+  EXPECT_EQ(error_of(comment(1 << 20) + text), "");
+  EXPECT_NE(error_of(comment((1 << 20) + 1) + text).find("line 1: longer than 1 MiB"), std::string::npos);
+  EXPECT_NE(error_of(std::string(3 << 20, 'x')).find("line 1: longer than 1 MiB"), std::string::npos);
+  EXPECT_NE(error_of(std::string(1 << 10, 'x')).find("ends within a line"), std::string::npos);
+  std::ifstream zeros("/dev/zero", std::ios::binary);
+  if (!zeros) GTEST_SKIP() << "no /dev/zero here";
+  EXPECT_THROW(read_native(zeros, "zeros"), InputError);
 }
 
 TEST_F(NativeTest, DamageIsNamedWithItsLine) {
