@@ -14,6 +14,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Triangle = std::array<int, 3>;
 
+/// So that the squares of areas are finite.
+constexpr double kFarthest = 1e75;
+
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Merges vertices at the same position; returns the new index of every old one.
@@ -23,6 +26,7 @@ std::vector<int> weld(const std::vector<Vector3d>& vertices, std::vector<Vector3
   renamed.reserve(vertices.size());
   for (const Vector3d& v : vertices) {
     if (!v.allFinite()) throw MeshError("a vertex has a coordinate that is not finite");
+    if (v.cwiseAbs().maxCoeff() > kFarthest) throw MeshError("a vertex has a coordinate beyond 1e75");
     const std::array<double, 3> key{v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};  // −0 becomes 0
     const auto [at, is_new] = index.try_emplace(key, static_cast<int>(welded.size()));
     if (is_new) welded.emplace_back(key[0], key[1], key[2]);

@@ -33,14 +33,14 @@ inline constexpr double kPlanarity = 1e-5;
 /// necessarily convex). Vertices at exactly the same position become one, polygons are cut into triangles,
 /// and the faces are found and numbered in the order of their first triangles. Polygons of no extent (fewer
 /// than three different vertices) are dropped. The same input gives the same mesh. Throws MeshError if an
-/// index is out of range, a coordinate is not finite, or no triangle is left.
+/// index is out of range, a coordinate is not finite or beyond 1e75, or no triangle is left.
 Mesh make_mesh(const std::vector<Eigen::Vector3d>& vertices, const std::vector<std::vector<int>>& polygons,
                double planarity = kPlanarity);
 
 /// Reads OFF (also COFF, NOFF, STOFF: what is not position is ignored), STL (text or binary), OBJ or PLY
 /// (text or binary), told by the name's ending, in any case. Many closed meshes are stored inside out: one
-/// with a negative volume is turned, unless it is to `keep_inward`, as the inside of a room. Throws
-/// MeshError.
+/// with a negative volume is turned, unless it is to `keep_inward`, as the inside of a room. A
+/// name of another ending is refused before anything is read, and so is a device. Throws MeshError.
 Mesh load_mesh(const std::string& path, double planarity = kPlanarity, bool keep_inward = false);
 
 /// One true face.

@@ -15,6 +15,7 @@
 #include <limpet/io/byte_source.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/ply_header.hpp>
+#include <limpet/io/text.hpp>
 #include <limpet/simulation/mesh.hpp>
 #include <string_view>
 #include <utility>
@@ -242,26 +243,36 @@ Soup read_ply(const std::string& path, std::string_view data) {
   return soup;
 }
 
-Soup read(const std::string& path, std::string_view data) {
-  std::string ending = path.substr(path.rfind('.') + 1);
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == "off") return read_off(data);
-  if (ending == "stl") return read_stl(data);
-  if (ending == "obj") return read_obj(data);
-  if (ending == "ply") return read_ply(path, data);
+using Format = Soup (*)(const std::string& path, std::string_view data);
+
+Format format_of(const std::string& path) {
+  const std::string ending = io::extension_of(path);
+  if (ending == "off") return [](const std::string&, std::string_view data) { return read_off(data); };
+  if (ending == "stl") return [](const std::string&, std::string_view data) { return read_stl(data); };
+  if (ending == "obj") return [](const std::string&, std::string_view data) { return read_obj(data); };
+  if (ending == "ply") return read_ply;
   throw MeshError("not a mesh file (known: .off, .stl, .obj, .ply)");
+}
+
+void require_file(const std::string& path) {
+  if (std::filesystem::is_directory(path)) throw MeshError("is a folder, not a mesh file");
+  if (std::filesystem::is_character_file(path)) throw MeshError("is a device, not a mesh file");
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string data{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) throw MeshError("cannot be read");
+  return data;
 }
 
 }  // namespace
 
 Mesh load_mesh(const std::string& path, double planarity, bool keep_inward) {
   try {
-    if (std::filesystem::is_directory(path)) throw MeshError("is a folder, not a mesh file");
-    std::ifstream file(path, std::ios::binary);
-    const std::string data{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (!file) throw MeshError("cannot be read");
-    const Soup soup = read(path, data);
+    require_file(path);
+    const Format read = format_of(path);
+    const Soup soup = read(path, bytes_of(path));
     Mesh mesh = make_mesh(soup.vertices, soup.polygons, planarity);
     if (!keep_inward && count_edges(mesh).open == 0 && signed_volume(mesh) < 0)
       for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
