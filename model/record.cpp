@@ -72,7 +72,7 @@ void polygon_from(Engine& e, const PolygonSegmentRecord& r) {
   part.outward = part.published.plane(part.chart).normal;
   part.initial = {r.initial_centroid, r.initial_normal};
   part.confirmed = r.confirmed;
-  if (r.confirmed < 0 || (r.confirmed > 0 && !s.initial()))
+  if (r.confirmed > 0 && !s.initial())
     throw std::invalid_argument("segment " + std::to_string(r.id) + " is confirmed, but not an initial one");
   std::vector<std::vector<geometry::NewVertex>> cycles;
   for (const auto& cycle : r.cycles) {
@@ -139,6 +139,7 @@ ModelRecord to_record(const Engine& e) {
 }
 
 void from_record(Engine& e, const ModelRecord& r) {
+  require_sound(e.setting, r);
   Storage::set_counters(e.complex, r.points, r.next_segment, r.next_edge);
   e.counts.refused = r.refused;
   e.counts.expired = r.expired;

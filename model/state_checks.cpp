@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "archive_internal.hpp"
+#include "record_internal.hpp"
 #include "state_internal.hpp"
 #include "storage_internal.hpp"
 
@@ -47,26 +48,6 @@ void require_lists(const Engine& e) {
   require(e.labels.kept() || e.labels.size() == 0, "has labels that are not kept");
 }
 
-/// Requires sums that further points can be added to, and that the covariance can be computed from, without
-/// overflow.
-void require_moments(const Moments& moments) {
-  const MomentsRecord m = moments.record();
-  const auto sized = [](Int128 x) { return x < 0 ? -x : x; };
-  const Int128 largest = Int128{1} << 124, squared_steps = Int128{kMaxSteps} * kMaxSteps;
-  require(m.count >= 0, "has a segment of fewer than no points");
-  for (const Int128 sum : m.sum) {
-    require(sized(sum) <= Int128{m.count} * kMaxSteps, "has sums that no points have");
-    // Moments::covariance() multiplies sums by the rounded mean.
-    const auto x = static_cast<long double>(sum);
-    require(m.count == 0 || x * x / static_cast<long double>(m.count) <= static_cast<long double>(largest),
-            "has a segment of too many points");
-  }
-  for (const Int128 product : m.product) {
-    require(sized(product) / squared_steps <= m.count, "has sums that no points have");
-    require(sized(product) <= largest, "has a segment of too many points");
-  }
-}
-
 void require_raw_point(const Engine& e, const RawPoint& raw) {
   for (const std::int64_t x : raw.at) require(std::abs(x) <= kMaxSteps, "has a point too far away");
   require(!e.labels.kept() || raw.serial < static_cast<std::int64_t>(e.labels.size()),
@@ -77,7 +58,8 @@ void require_raw_point(const Engine& e, const RawPoint& raw) {
 void require_segment(const Engine& e, const Segment& s) {
   require(s.id.value > 0 && s.id.value < Storage::next_segment(e.complex),
           "has an identity that was not given yet");
-  require_moments(s.data.moments());
+  require(!fault_of(s.data.moments().record()),
+          "has a segment with sums that no points have, or that are too many");
   require(s.polygon || s.count() > 0, "has a segment without points");
   require(!s.young() || static_cast<std::int64_t>(s.data.raw().size()) == s.count(),
           "has a young segment with other points than it counts");
