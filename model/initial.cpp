@@ -20,6 +20,11 @@
 namespace limpet::model::internal {
 namespace {
 
+/// Of a vertex in its chart, in grid steps: as the law `grid` says.
+constexpr double kMostInChart = 0x1p40;
+
+constexpr const char* kNotSimple = "is no simple polygon at this resolution";
+
 /// Twice the area of a cycle, as a vector along its normal.
 Eigen::Vector3d area_vector(const std::vector<Eigen::Vector3d>& cycle) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -29,16 +34,44 @@ Eigen::Vector3d area_vector(const std::vector<Eigen::Vector3d>& cycle) {
 }
 
 [[noreturn]] void refuse(std::size_t face, const char* what) {
-  throw std::invalid_argument("initial face " + std::to_string(face) + " " + what);
+  throw Refused("initial face " + std::to_string(face) + " " + what);
+}
+
+void require_near(std::size_t number, const InitialFace& face, double step) {
+  const double farthest = static_cast<double>(kMaxSteps) * step;
+  for (const auto& cycle : face.cycles)
+    for (const Eigen::Vector3d& v : cycle) {
+      if (!v.allFinite()) refuse(number, "has a vertex that is not finite");
+      if (v.cwiseAbs().maxCoeff() > farthest)
+        refuse(number, "has a vertex beyond 2^48 grid steps: too far away for this resolution");
+    }
+}
+
+/// In the chart, on the grid.
+std::vector<std::vector<geometry::NewVertex>> vertices_of(std::size_t number, const InitialFace& face,
+                                                          const geometry::Chart& chart) {
+  std::vector<std::vector<geometry::NewVertex>> cycles;
+  for (const auto& cycle : face.cycles) {
+    auto& vertices = cycles.emplace_back();
+    for (const Eigen::Vector3d& v : cycle) {
+      const geometry::Point2 at = geometry::round_to_grid(chart.project(v));
+      if (!std::isfinite(at.x) || !std::isfinite(at.y)) refuse(number, kNotSimple);
+      if (std::max(std::abs(at.x), std::abs(at.y)) > kMostInChart)
+        refuse(number, "is wider than 2^40 grid steps: too large for this resolution");
+      vertices.push_back({at});
+    }
+  }
+  return cycles;
 }
 
 const Segment& add_face(Complex& complex, std::size_t number, const InitialFace& face) {
   if (face.cycles.empty() || face.cycles.front().size() < 3) refuse(number, "has fewer than three vertices");
+  require_near(number, face, complex.setting().step);
   const auto& outer = face.cycles.front();
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), normal = area_vector(outer);
   for (const auto& v : outer) centre += v / static_cast<double>(outer.size());
   const double length = std::sqrt(normal.dot(normal));
-  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(centre.sum())) refuse(number, "has no area");
+  if (!(length > 0) || !std::isfinite(length)) refuse(number, "has no area");
   normal /= length;
 
   auto polygon = std::make_unique<PolygonPart>();
@@ -47,14 +80,8 @@ const Segment& add_face(Complex& complex, std::size_t number, const InitialFace&
   part.published = geometry::Lift(part.chart, {centre, normal});
   part.outward = normal;
   part.initial = {centre, normal};
-  std::vector<std::vector<geometry::NewVertex>> cycles;
-  for (const auto& cycle : face.cycles) {
-    auto& vertices = cycles.emplace_back();
-    for (const Eigen::Vector3d& v : cycle)
-      vertices.push_back({geometry::round_to_grid(part.chart.project(v))});
-  }
-  auto perimeter = geometry::Polygon::from_cycles(cycles, complex.edge_ids());
-  if (!perimeter) refuse(number, "is no simple polygon at this resolution");
+  auto perimeter = geometry::Polygon::from_cycles(vertices_of(number, face, part.chart), complex.edge_ids());
+  if (!perimeter) refuse(number, kNotSimple);
   part.perimeter = std::move(*perimeter);
   Fit fit;
   fit.centroid = centre, fit.normal = normal;

@@ -182,5 +182,37 @@ TEST(InitialFaces, ThatAreNoneAreRefused) {
   EXPECT_EQ(model.record().polygon_segments.size(), 0u);
 }
 
+/// Beyond what the grid holds (the law `grid`): a face would be in the model and break it.
+TEST(InitialFaces, TooLargeOrTooFarForTheGridAreRefused) {
+  Model model(of_resolution(0.1));
+  const double step = model.record().grid_step, wide = 0x1p39 * step, far = 0x1p48 * step;
+  const auto square = [](const Vector3d& middle, double half) {
+    const Vector3d x(half, 0, 0), y(0, half, 0);
+    return InitialFace{{{middle - x - y, middle + x - y, middle + x + y, middle - x + y}}};
+  };
+  const auto refusal_of = [&](const InitialFace& face) {
+    const InitialFace faces[] = {square({0, 0, 1}, 1), face, square({0, 0, 3}, 1)};
+    try {
+      model.add_initial(faces);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal_of(square({0, 0, 2}, wide)), "");
+  EXPECT_EQ(refusal_of(square({far - 2, 0, 0}, 1)), "");
+  const auto before = model.counts().polygons;
+  EXPECT_NE(refusal_of(square({0, 0, 4}, 2.1 * wide)).find("face 1 is wider than 2^40"), std::string::npos);
+  EXPECT_NE(refusal_of(square({0, 0, 1.1 * far}, 1)).find("face 1 has a vertex beyond 2^48"),
+            std::string::npos);
+  EXPECT_NE(refusal_of(square({0, 0, 1e300}, 1)).find("face 1 has a vertex beyond 2^48"), std::string::npos);
+  InitialFace holed = square({0, 0, 5}, 1);
+  holed.cycles.push_back({{0, 0, 5}, {0, 0.5, 5}, {std::nan(""), 0, 5}});
+  EXPECT_NE(refusal_of(holed).find("face 1 has a vertex that is not finite"), std::string::npos);
+  EXPECT_EQ(model.counts().polygons, before + 4) << "the face before each refused one stays";
+  model.update(std::vector<SensorPoint>{{{0.5, 0.5, 9}, {0, 0, -1}, 0}});
+  EXPECT_EQ(broken_laws(model.record()), "");
+}
+
 }  // namespace
 }  // namespace limpet::model
