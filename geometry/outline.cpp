@@ -3,7 +3,9 @@
 // The union of two polygons within a window, by a CGAL arrangement whose curves remember their source edges.
 #include "outline_internal.hpp"
 
+#include <exception>
 #include <map>
+#include <memory>
 #include <unordered_map>
 
 #include <CGAL/Arr_consolidated_curve_data_traits_2.h>
@@ -43,6 +45,15 @@ using Halfedge = Arrangement::Halfedge_const_handle;
 using Vertex = Arrangement::Vertex_const_handle;
 using Face = Arrangement::Face_const_handle;
 
+/// An arrangement that an exception (out of memory) has left half made cannot even be destroyed: CGAL's
+/// destructor walks lists that are not there yet. Its memory is given up.
+struct DeleteWhole {
+  int exceptions = std::uncaught_exceptions();
+  void operator()(Arrangement* arrangement) const {
+    if (std::uncaught_exceptions() == exceptions) delete arrangement;
+  }
+};
+
 struct FaceState {
   bool in_window = false, in_a = false, in_b = false;
 };
@@ -60,7 +71,7 @@ class UnionOutline {
     for (std::size_t i = 0; i < b.size(); ++i) add(b[i].a, b[i].b, Owner::b, i);
     const auto c = corners(window);
     for (std::size_t i = 0; i < 4; ++i) add(c[i], c[(i + 1) % 4], Owner::window, i);
-    CGAL::insert(arrangement_, curves.begin(), curves.end());
+    CGAL::insert(*arrangement_, curves.begin(), curves.end());
     for (std::size_t i = 0; i < a.size(); ++i) starts_a_[{a[i].a.x, a[i].a.y}] = a[i].slot;
   }
 
@@ -78,7 +89,7 @@ class UnionOutline {
   std::vector<Outline> trace() {
     std::vector<Halfedge> boundary;
     std::map<const void*, bool> reached;  // vertices some boundary piece leads to
-    for (auto h = arrangement_.halfedges_begin(); h != arrangement_.halfedges_end(); ++h)
+    for (auto h = arrangement_->halfedges_begin(); h != arrangement_->halfedges_end(); ++h)
       if (on_boundary(h)) {
         boundary.push_back(h);
         reached[&*h->target()] = true;
@@ -129,7 +140,7 @@ class UnionOutline {
     // The window's border is anticlockwise through its corners: its halfedge that leaves this corner has the
     // window on its left.
     const Traits::Point_2 p(corner.x, corner.y);
-    for (auto v = arrangement_.vertices_begin(); v != arrangement_.vertices_end(); ++v) {
+    for (auto v = arrangement_->vertices_begin(); v != arrangement_->vertices_end(); ++v) {
       if (v->is_isolated() || v->point() != p) continue;
       auto h = v->incident_halfedges();
       const auto begin = h;
@@ -188,7 +199,7 @@ class UnionOutline {
       }
       Halfedge next = h->next();
       for (std::size_t turns = 0; !on_boundary(next); next = next->twin()->next())
-        if (next == h->twin() || ++turns > arrangement_.number_of_halfedges()) break;
+        if (next == h->twin() || ++turns > arrangement_->number_of_halfedges()) break;
       if (!on_boundary(next)) {  // an end outside the window
         const auto& q = h->target()->point();
         for (const SourceEdge& e : a_)
@@ -216,7 +227,7 @@ class UnionOutline {
 
   const std::vector<SourceEdge>&a_, &b_;
   Box2 window_;
-  Arrangement arrangement_;
+  std::unique_ptr<Arrangement, DeleteWhole> arrangement_{new Arrangement};
   std::map<std::pair<double, double>, Slot> starts_a_;
   std::unordered_map<const void*, FaceState> state_;
   std::unordered_map<const void*, bool> done_;

@@ -45,5 +45,6 @@ namespace limpet::model {
 struct Model::State {
   explicit State(const Parameters& p) : engine(p) {}
   internal::Engine engine;
+  bool half_changed = false;  ///< a change was ended by an exception: law (10) of Model
 };
 }  // namespace limpet::model

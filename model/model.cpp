@@ -4,6 +4,7 @@
 #include <limpet/model/view.hpp>
 
 #include "engine_internal.hpp"
+#include "initial_internal.hpp"
 #include "open_edges_internal.hpp"
 #include "record_internal.hpp"
 #include "state_internal.hpp"
@@ -18,25 +19,48 @@ Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 Model& Model::operator=(Model&&) noexcept = default;
 
+const internal::Engine& Model::engine() const {
+  if (!state_)
+    throw ModelUnusable("this model has been moved from: assign another to it before anything else is asked");
+  if (state_->half_changed)
+    throw ModelUnusable(
+        "this model is unusable: an exception (out of memory, most likely) ended a call that was changing "
+        "it; "
+        "destroy it, or assign another to it, as one made by from_state() of an earlier state()");
+  return state_->engine;
+}
+
+template <class Call>
+const std::vector<Change>& Model::change(Call&& call) {
+  engine();  // throws where there is none to be changed
+  internal::Engine& e = state_->engine;
+  try {
+    call(e);
+  } catch (const internal::Refused&) {
+    throw;
+  } catch (...) {
+    state_->half_changed = true;
+    throw;
+  }
+  return e.complex.changes();
+}
+
 const std::vector<Change>& Model::add_initial(std::span<const InitialFace> faces) {
-  internal::add_initial_faces(state_->engine, faces);
-  return state_->engine.complex.changes();
+  return change([&](internal::Engine& e) { internal::add_initial_faces(e, faces); });
 }
 
 const std::vector<Change>& Model::update(std::span<const SensorPoint> set) {
-  internal::update_set(state_->engine, set);
-  return state_->engine.complex.changes();
+  return change([&](internal::Engine& e) { internal::update_set(e, set); });
 }
 
 const std::vector<Change>& Model::finish() {
-  internal::finish(state_->engine);
-  return state_->engine.complex.changes();
+  return change([](internal::Engine& e) { internal::finish(e); });
 }
 
-const Parameters& Model::parameters() const { return state_->engine.setting.parameters; }
+const Parameters& Model::parameters() const { return engine().setting.parameters; }
 
 Counts Model::counts() const {
-  const internal::Engine& e = state_->engine;
+  const internal::Engine& e = engine();
   Counts c = e.counts;
   c.points = e.complex.now();
   e.complex.segments().for_each([&](const internal::Segment& s) {
@@ -54,11 +78,11 @@ Counts Model::counts() const {
   return c;
 }
 
-ModelRecord Model::record() const { return internal::to_record(state_->engine); }
+ModelRecord Model::record() const { return internal::to_record(engine()); }
 
-std::string Model::state() const { return internal::to_state(state_->engine); }
+std::string Model::state() const { return internal::to_state(engine()); }
 
-View Model::view() const { return View(state_->engine.complex); }
+View Model::view() const { return View(engine().complex); }
 
 Model Model::from_state(std::string_view bytes) {
   const internal::StoredState stored(bytes);
@@ -68,7 +92,7 @@ Model Model::from_state(std::string_view bytes) {
 }
 
 SegmentId Model::now(SegmentId id) const {
-  const internal::Engine& e = state_->engine;
+  const internal::Engine& e = engine();
   if (e.complex.find(id)) return id;
   for (const Change& c : e.complex.changes())  // in order, so one pass is enough
     if (c.kind == Change::Kind::merged && (c.first == id || c.second == id)) id = c.result;
@@ -77,24 +101,28 @@ SegmentId Model::now(SegmentId id) const {
 }
 
 std::vector<std::vector<SegmentId>> Model::surfaces() const {
-  return internal::surfaces_of(state_->engine.complex);
+  return internal::surfaces_of(engine().complex);
 }
 
 std::vector<OpenEdge> Model::open_edges() const {
-  const internal::Engine& e = state_->engine;
+  const internal::Engine& e = engine();
   return internal::open_edges(e.complex, internal::last_reach(e.setting.rules()));
 }
 
-Outcome Model::would_finish() const { return internal::would_finish(state_->engine); }
+Outcome Model::would_finish() const { return internal::would_finish(engine()); }
 
-void Model::keep_labels() { state_->engine.labels.keep(); }
+void Model::keep_labels() {
+  change([](internal::Engine& e) { e.labels.keep(); });
+}
 
-void Model::measure_stages() { state_->engine.clock.measure(); }
+void Model::measure_stages() {
+  change([](internal::Engine& e) { e.clock.measure(); });
+}
 
-StageTimes Model::stage_times() const { return state_->engine.clock.times(); }
+StageTimes Model::stage_times() const { return engine().clock.times(); }
 
 std::vector<SegmentId> Model::labels() const {
-  const internal::Engine& e = state_->engine;
+  const internal::Engine& e = engine();
   std::vector<SegmentId> result;
   for (const std::uint64_t id : e.labels.settled(e.complex.segments())) result.push_back({id});
   return result;

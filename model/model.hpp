@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,15 @@ struct Counts {
 
 class View;
 
+namespace internal {
+struct Engine;
+}
+
+/// What every call on a model throws once an exception has left it half changed, or after it was moved from.
+class ModelUnusable : public std::logic_error {
+  using std::logic_error::logic_error;
+};
+
 /// An incremental planar polyhedral surface model (thesis chapter 2).
 ///
 ///     Model model({.resolution = 0.05, .noise = 0.001});
@@ -61,7 +71,11 @@ class View;
 ///  (6) constant member functions change nothing observable, and may be called by several threads at once;
 ///  (7) a refused reading is counted, has the label 0, and changes nothing else;
 ///  (8) a model made from a record has that record;
-///  (9) an empty set is counted and changes nothing else.
+///  (9) an empty set is counted and changes nothing else;
+///  (10) a call that changes the model and is ended by an exception (std::bad_alloc, in practice) leaves it
+///      half changed, and every later call throws ModelUnusable; it may be destroyed, moved, and assigned to.
+///      A face that add_initial() refuses, a parameter or a record leaves nothing half changed, and neither
+///      does a constant member function that throws: the model is as it was, and goes on.
 /// Not promised: the same polygons to the last bit when all readings are moved together (charts and lifts are
 /// doubles); and that a second finish() changes nothing (points in point segments are inserted again, under
 /// new identities).
@@ -69,10 +83,11 @@ class Model {
  public:
   /// Throws std::invalid_argument when a parameter is out of range.
   explicit Model(const Parameters&);
-  /// Continues from a record. Throws std::invalid_argument when a parameter is out of range, a perimeter is
-  /// not valid, a segment's identity occurs twice, a shared edge has no partner, or a segment is confirmed
-  /// that is not an initial one. The laws hold for what follows, but later calls may give other results than
-  /// on the recorded model; from_state() keeps these.
+  /// Continues from a record. Throws std::invalid_argument, with the reason, when a parameter is out of range
+  /// or the grid step another than theirs, a number is not finite or beyond what a model can hold
+  /// (docs/native_format.md, "Limits"), a perimeter is not valid, an identity is 0 or occurs twice, a shared
+  /// edge has no partner, or a segment is confirmed that is not an initial one. The laws hold for what
+  /// follows, but later calls may give other results than on the recorded model; from_state() keeps these.
   explicit Model(const ModelRecord&);
   ~Model();
   Model(Model&&) noexcept;
@@ -90,8 +105,9 @@ class Model {
   /// initial segment if it is nearer and at an angle of more than μ to it, as a neighbour near the common
   /// edge. Readings farther from the plane, or from behind, are modelled like any others: they contradict it.
   ///
-  /// Throws std::invalid_argument when a face has fewer than three vertices, no area, or is no simple
-  /// polygon; the faces before it stay. The changes are valid until the next call.
+  /// Throws std::invalid_argument when a face has fewer than three vertices, no area, a vertex that is not
+  /// finite or beyond 2^48 grid steps, is wider than 2^40 of them, or is no simple polygon; the faces before
+  /// it stay. The changes are valid until the next call.
   const std::vector<Change>& add_initial(std::span<const InitialFace> faces);
 
   /// Takes in one set of sensor points, the unit of an update (thesis §2.3). Readings that are no point are
@@ -152,6 +168,12 @@ class Model {
 
  private:
   struct State;
+
+  /// Throws ModelUnusable where there is none that is whole.
+  const internal::Engine& engine() const;
+  template <class Call>
+  const std::vector<Change>& change(Call&& call);
+
   std::unique_ptr<State> state_;
 };
 

@@ -167,7 +167,7 @@ void add_initial_faces(Engine& e, std::span<const InitialFace> faces) {
   begin_call(e);
   try {
     internal::add_initial(e.complex, faces);
-  } catch (...) {  // the faces before the refused one stay
+  } catch (const Refused&) {  // the faces before it stay
     end_call(e);
     throw;
   }

@@ -1,0 +1,51 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "failing_new.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+namespace {
+
+constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+std::int64_t requests = 0, first_failure = kNever;
+
+void* request(std::size_t size, std::size_t alignment = alignof(std::max_align_t)) {
+  if (requests++ >= first_failure) throw std::bad_alloc();
+  const std::size_t whole = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment;
+  void* memory = std::aligned_alloc(alignment, whole);
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+namespace limpet::memory {
+
+void fail_from(std::int64_t nth) { requests = 0, first_failure = nth; }
+
+std::int64_t relent() {
+  first_failure = kNever;
+  return requests;
+}
+
+}  // namespace limpet::memory
+
+void* operator new(std::size_t size) { return request(size); }
+void* operator new[](std::size_t size) { return request(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return request(size, static_cast<std::size_t>(alignment));
+}
+void* operator new[](std::size_t size, std::align_val_t alignment) {
+  return request(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
