@@ -139,6 +139,64 @@ TEST_F(BadInput, Outputs) {
   expect_refused(run({"nonsense"}), "nonsense");
 }
 
+/// One field of the first line that begins with this word, of a model that is otherwise whole.
+std::string with_field(std::string text, const std::string& word, int n, const std::string& value) {
+  std::size_t begin = text.find("\n" + word + " ") + 1;
+  for (int i = 0; i < n; ++i) begin = text.find(' ', begin) + 1;
+  return text.replace(begin, text.find_first_of(" \n", begin) - begin, value);
+}
+
+TEST_F(BadInput, ModelsWithNumbersBeyondAllMeasure) {
+  ASSERT_EQ(model(scan("c.ply", "cube", 1000)).code, 0);
+  const std::string whole = read(path("m.limpet"));
+  for (const std::string value : {"1e20", "1e30", "-1e308"}) {
+    const auto damaged = write("d.limpet", with_field(whole, "height", 1, value));
+    expect_refused(run({"draw", damaged, "-o", path("p.png")}), "farther than 2^49 grid steps");
+    expect_refused(run({"compare", damaged, "cube"}), "farther than 2^49 grid steps");
+    const auto checked = run({"check", damaged});
+    EXPECT_EQ(checked.code, 1) << checked.err;
+    EXPECT_NE(checked.out.find("grid: segment"), std::string::npos) << checked.out;
+  }
+  EXPECT_FALSE(exists("p.png"));
+}
+
+/// Broken, but no reason not to draw it.
+TEST_F(BadInput, AnEdgeWithoutAnIdentity) {
+  ASSERT_EQ(model(scan("c.ply", "cube", 1000)).code, 0);
+  const std::string whole = read(path("m.limpet"));
+  const std::size_t vertex = whole.find('\n', whole.find("\ncycle ") + 1) + 1;
+  std::string text = whole;
+  std::size_t begin = text.find(' ', text.find(' ', vertex) + 1) + 1;
+  text.replace(begin, text.find(' ', begin) - begin, "0");
+  const auto damaged = write("d.limpet", text);
+  const auto drawn = run({"draw", damaged, "-o", path("p.png"), "-q"});
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  const auto checked = run({"check", damaged});
+  EXPECT_EQ(checked.code, 1) << checked.err;
+  EXPECT_NE(checked.out.find("edge-identity: segment"), std::string::npos) << checked.out;
+}
+
+/// A file without lines is not read to its end, which may never come.
+TEST_F(BadInput, EndlessLines) {
+  if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "no /dev/zero here";
+  expect_refused(run({"check", "/dev/zero"}), "more than 1 MiB");
+  expect_refused(run({"draw", "/dev/zero", "-o", path("p.png")}), "longer than 1 MiB");
+  expect_refused(run({"compare", "/dev/zero", "cube"}), "not a mesh file");
+  std::filesystem::create_symlink("/dev/zero", path("z.off"));
+  expect_refused(run({"compare", path("z.off"), "cube"}), "is a device");
+  std::filesystem::create_symlink("/dev/zero", path("z.limpet"));
+  expect_refused(run({"compare", path("z.limpet"), "cube"}), "longer than 1 MiB");
+}
+
+TEST_F(BadInput, FacesKnownBeforehandThatTheGridCannotHold) {
+  const auto scan_file = scan("c.ply", "cube", 1000);
+  const auto mesh = write("far.off", "OFF\n3 1 0\n0 0 0\n1e9 0 0\n0 1e9 0\n3 0 1 2\n");
+  expect_refused(model(scan_file, {"--initial", mesh, "--resolution", "0.1"}),
+                 "far.off: initial face 0 is wider");
+  const auto wild = write("wild.off", "OFF\n3 1 0\n0 0 0\n1e99 0 0\n0 1 0\n3 0 1 2\n");
+  expect_refused(model(scan_file, {"--initial", wild}), "wild.off: a vertex has a coordinate beyond 1e75");
+}
+
 /// A file may not grow beyond a few blocks, as on a full disk.
 TEST_F(BadInput, FullDisk) {
   const auto scan_file = scan("c.ply", "cube", 1000);
