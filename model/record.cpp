@@ -7,6 +7,7 @@
 
 #include <limpet/geometry/predicates.hpp>
 
+#include "common_line_internal.hpp"
 #include "record_internal.hpp"
 #include "storage_internal.hpp"
 
@@ -103,6 +104,20 @@ std::map<geometry::EdgeId, geometry::EdgeId> partners_in(const ModelRecord& r) {
   return partners;
 }
 
+/// What the rings of corners rely on: shared edges lie on lines where planes meet.
+void require_lines(const Complex& complex, const ModelRecord& r) {
+  for (const PolygonSegmentRecord& p : r.polygon_segments)
+    for (const auto& cycle : p.cycles)
+      for (const VertexRecord& v : cycle) {
+        if (v.partner == 0) continue;
+        const PolygonPart& part = *complex.find({p.id})->polygon;
+        const PolygonPart& across = *complex.at(complex.edges().across({v.edge}).segment).polygon;
+        if (!common_line(part.plane(), across.plane(), part.plane().point))
+          throw std::invalid_argument("shared edge " + std::to_string(v.edge) +
+                                      " is between parallel planes");
+      }
+}
+
 [[noreturn]] void refuse_edge(geometry::EdgeId edge) {
   throw std::invalid_argument("shared edge " + std::to_string(edge.value) +
                               " has no partner on another segment");
@@ -154,6 +169,7 @@ void from_record(Engine& e, const ModelRecord& r) {
   }
   for (const PolygonSegmentRecord& p : r.polygon_segments) polygon_from(e, p);
   Storage::pair_edges(e.complex, partners_in(r), refuse_edge);
+  require_lines(e.complex, r);
 }
 
 }  // namespace limpet::model::internal

@@ -112,6 +112,15 @@ TEST(Record, TheReasonIsSaid) {
       {"edge whose identity occurs twice",
        [](ModelRecord& r) { vertex(r).edge = r.polygon_segments.back().cycles.front().front().edge; }},
       {"has no partner", [](ModelRecord& r) { vertex(r).partner = vertex(r).edge; }},
+      // As a number damaged in a file did it: the neighbour's plane became that of the polygon itself.
+      {"is between parallel planes",
+       [](ModelRecord& r) {
+         for (auto& other : r.polygon_segments) {
+           other.chart_u = polygon(r).chart_u, other.chart_v = polygon(r).chart_v;
+           other.chart_normal = polygon(r).chart_normal;
+           other.height = {0, 0, 0};
+         }
+       }},
       {"no grid point within 2^40", [](ModelRecord& r) { vertex(r).x += 0.5; }},
       {"no grid point within 2^40", [](ModelRecord& r) { vertex(r).y = 0x1p41; }},
       {"sums that no points have", [](ModelRecord& r) { point(r).moments.sum[1] = Int128{1} << 127; }},
