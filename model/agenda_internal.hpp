@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -105,6 +106,10 @@ class Agenda {
   std::optional<std::pair<std::int64_t, SegmentId>> take_aged(std::int64_t before);
 
   bool finishing = false;  ///< during finish(): nothing is put off until later sets
+  /// Is finish() to end early? Loops over segments ask it before each one; what they leave is taken up again
+  /// by the next finish().
+  bool stopped() const { return stop && stop(); }
+  std::function<bool()> stop;  ///< only during finish()
   SharingReach sharing;
 
  private:

@@ -47,8 +47,10 @@ bool form_corners_of_modified(Complex& complex, Agenda& agenda) {
     return !agenda.polygon(s.slot).corners_due.empty();
   });
   bool any = false;
-  for (const auto& [id, slot] : turn)
+  for (const auto& [id, slot] : turn) {
+    if (agenda.stopped()) break;
     if (const Segment* s = complex.find(id, slot)) any |= form_corners(complex, agenda, *s);
+  }
   return any;
 }
 

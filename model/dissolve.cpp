@@ -139,6 +139,7 @@ void release_slow_polygons(Complex& complex, Insertion& insertion) {
   });
   std::sort(slow.begin(), slow.end());
   for (const auto& [id, slot] : slow) {
+    if (insertion.stopped()) return;
     if (const Segment* s = complex.find(id, slot)) release_points(complex, insertion.pending(), *s, false);
     insertion.insert_pending();
   }
@@ -151,6 +152,7 @@ void release_all_point_segments(Complex& complex, Insertion& insertion) {
   });
   std::sort(ids.begin(), ids.end());
   for (const SegmentId id : ids) {
+    if (insertion.stopped()) return;
     const Segment* s = complex.find(id);
     if (!s || s->polygon || !s->young()) continue;  // a point released before may have made it a polygon
     release_points(complex, insertion.pending(), *s, false);
@@ -163,6 +165,7 @@ bool dissolve_young(Complex& complex, Agenda& agenda, Insertion& insertion) {
   Misfits misfits(complex, agenda);
   bool any = false;
   for (const auto& [id, slot] : misfits.to_look_at()) {
+    if (agenda.stopped()) break;
     const Segment* s = complex.find(id, slot);
     if (!s) continue;
     const bool slow = came_too_slowly(complex, *s, kYoung * 3 / 4);

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include <limpet/model/model.hpp>
@@ -35,7 +36,7 @@ struct Engine {
 
 void add_initial_faces(Engine&, std::span<const InitialFace>);
 void update_set(Engine&, std::span<const SensorPoint>);
-void finish(Engine&);
+void finish(Engine&, const std::function<bool()>& stop = {});
 /// How far the last rounds of finish() search.
 SharingReach last_reach(const Rules&);
 

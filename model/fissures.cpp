@@ -26,7 +26,8 @@ bool fill(Complex& complex, Agenda& agenda, const Segment& s) {
 
 bool fill_modified(Complex& complex, Agenda& agenda) {
   bool any = false;
-  for (std::size_t i = 0; i < agenda.modified().size(); ++i)  // by index: marking more would be safe
+  for (std::size_t i = 0; i < agenda.modified().size() && !agenda.stopped();
+       ++i)  // by index: marking more would be safe
     if (const Segment* s = complex.in_slot(agenda.modified()[i]); s && s->polygon && !s->initial())
       any |= fill(complex, agenda, *s);
   return any;

@@ -22,6 +22,7 @@ class Insertion {
   /// are pending because of it.
   void insert(const RawPoint&);
   void insert_pending();
+  bool stopped() const { return agenda_.stopped(); }
   PendingPoints& pending() { return pending_; }
   const PendingPoints& pending() const { return pending_; }
 

@@ -167,6 +167,7 @@ bool merge_modified_polygons(Complex& complex, Agenda& agenda) {
   const Turn turn = polygons_of(complex, agenda.modified(),
                                 [&](const Segment& s) { return !agenda.polygon(s.slot).changed.empty(); });
   for (const auto& [id, slot] : turn) {
+    if (agenda.stopped()) break;
     const Segment* s = complex.find(id, slot);
     if (!s) continue;  // it has merged in this round; the result is modified and has its turn in the next
     const Turn others = polygons_near(complex, agenda.polygon(slot).changed, slot);

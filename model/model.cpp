@@ -53,8 +53,8 @@ const std::vector<Change>& Model::update(std::span<const SensorPoint> set) {
   return change([&](internal::Engine& e) { internal::update_set(e, set); });
 }
 
-const std::vector<Change>& Model::finish() {
-  return change([](internal::Engine& e) { internal::finish(e); });
+const std::vector<Change>& Model::finish(const std::function<bool()>& stop) {
+  return change([&](internal::Engine& e) { internal::finish(e, stop); });
 }
 
 const Parameters& Model::parameters() const { return engine().setting.parameters; }

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -118,7 +119,11 @@ class Model {
   /// At the end of input: repeats steps 2 to 5 of the update until nothing changes; then again with sections
   /// searched for farther from their lines, and again with short edges allowed (at most 20 rounds each time).
   /// Does nothing without the rule `finish`. More sets may follow.
-  const std::vector<Change>& finish();
+  ///
+  /// `stop`, where there is one, is asked again and again, some thousands of times a second, and must go on
+  /// saying true once it has. Then finish() ends early: all that a call promises holds, with more edges open,
+  /// and a later finish() takes up what is left.
+  const std::vector<Change>& finish(const std::function<bool()>& stop = {});
 
   const Parameters& parameters() const;
   Counts counts() const;

@@ -108,7 +108,7 @@ bool delete_redundant(Complex& complex, Agenda& agenda, Labels& labels, Counts& 
     });
   std::sort(ids.begin() + static_cast<std::ptrdiff_t>(by_count), ids.end());
   bool any = false;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
+  for (std::size_t i = 0; i < ids.size() && !agenda.stopped(); ++i) {
     const Segment* s = complex.find(ids[i]);
     if (!s || !s->polygon || !s->polygon->shared.empty() || (i >= by_count && !lies_on_others(complex, *s)))
       continue;

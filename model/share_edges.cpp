@@ -162,7 +162,7 @@ bool share_modified(Complex& complex, Agenda& agenda) {
   note_looks_due(complex, agenda);
   std::int64_t looks = agenda.looks_for(complex.now());
   bool any = false;
-  while (agenda.looks_due() && (agenda.finishing || looks-- > 0)) {
+  while (agenda.looks_due() && (agenda.finishing || looks-- > 0) && !agenda.stopped()) {
     const auto [pair, places] = agenda.take_look();
     const Segment *a = complex.in_slot(pair.first), *b = complex.in_slot(pair.second);
     if (a && b && may_share(agenda, *a) && may_share(agenda, *b))

@@ -89,7 +89,7 @@ bool drop_all_chance_holes(Engine& e) {
   bool any = false;
   if (e.setting.rules().voids)
     e.complex.segments().for_each([&](const Segment& s) {
-      if (s.polygon) any |= drop_chance_holes(e.complex, s);
+      if (s.polygon && !e.agenda.stopped()) any |= drop_chance_holes(e.complex, s);
     });
   return any;
 }
@@ -125,7 +125,7 @@ void until_nothing_changes(Engine& e) {
     const bool any = mergers_and_fissures(e) || drop_all_chance_holes(e) || shared_edges_and_corners(e);
     e.agenda.clear_modified();
     e.clock.lap(&StageTimes::rest);
-    if (!any) break;
+    if (!any || e.agenda.stopped()) break;
     mark_changed(e);
   }
 }
@@ -136,6 +136,7 @@ void close_what_is_open(Engine& e) {
   const SharingReach last = last_reach(e.setting.rules());
   for (const SharingReach& reach : {SharingReach{last.section, e.agenda.sharing.least, true},
                                     SharingReach{last.section, last.least, true}}) {
+    if (e.agenda.stopped()) return;
     const SharingReach before = std::exchange(e.agenda.sharing, reach);
     mark_all(e);
     until_nothing_changes(e);
@@ -188,12 +189,13 @@ void update_set(Engine& e, std::span<const SensorPoint> set) {
   ++e.counts.sets;
 }
 
-void finish(Engine& e) {
+void finish(Engine& e, const std::function<bool()>& stop) {
   begin_call(e);
   if (e.setting.rules().finish) {
+    e.agenda.stop = stop;
     e.agenda.finishing = e.agenda.sharing.from_shared = true;
     e.complex.segments().for_each([&](const Segment& s) {
-      if (s.polygon) refit(e.complex, e.agenda, s);
+      if (s.polygon && !e.agenda.stopped()) refit(e.complex, e.agenda, s);
     });
     e.complex.allow_returns();  // the model has grown since, so all points may be inserted again
     release_slow_polygons(e.complex, e.insertion);
@@ -204,6 +206,7 @@ void finish(Engine& e) {
     until_nothing_changes(e);
     if (e.setting.parameters.neighbours) close_what_is_open(e);
     e.agenda.finishing = e.agenda.sharing.from_shared = false;
+    e.agenda.stop = nullptr;
   }
   end_call(e);
 }

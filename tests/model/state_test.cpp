@@ -47,6 +47,15 @@ class Twins {
     ASSERT_TRUE(same_changes);
     look();
   }
+  /// Ends early, somewhere.
+  void begin_to_finish() {
+    const std::uint64_t asks = random_.below(1'000);
+    std::uint64_t kept = 0, stopped = 0;
+    const bool same_changes =
+        same(kept_.finish([&] { return ++kept > asks; }), stopped_->finish([&] { return ++stopped > asks; }));
+    ASSERT_TRUE(same_changes);
+    look();
+  }
   /// All that can be asked of the two is the same.
   void expect_same_answers() {
     stop();
@@ -83,6 +92,7 @@ void expect_same_ever_after(const Parameters& parameters, const std::vector<Poin
     SCOPED_TRACE("set " + std::to_string(i));
     twins.update(sets[i]);
     if (::testing::Test::HasFatalFailure()) return;
+    if (i == sets.size() / 3) twins.begin_to_finish();
     if (i == sets.size() / 2) twins.finish();  // points may follow all the same
     if (::testing::Test::HasFatalFailure()) return;
   }
