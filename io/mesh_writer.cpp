@@ -3,6 +3,7 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
 #include <algorithm>
+#include <fstream>
 #include <limpet/io/error.hpp>
 #include <limpet/io/mesh_writer.hpp>
 #include <limpet/io/native.hpp>
@@ -131,6 +132,8 @@ std::string ply_text(const Mesh& mesh) {
   return text;
 }
 
+const std::string kMaterial = "newmtl ", kColor = "color";
+
 struct ObjTexts {
   std::string faces, materials;
 };
@@ -148,8 +151,8 @@ ObjTexts obj_texts(const Mesh& mesh, const std::string& material_file) {
     const Color color = mesh.colors[face.idx()];
     std::string& name = known[color];
     if (name.empty()) {
-      name = "color" + std::to_string(known.size());
-      texts.materials += "newmtl " + name + "\nKd";
+      name = kColor + std::to_string(known.size());
+      texts.materials += kMaterial + name + "\nKd";
       for (const std::uint8_t channel : color) append(texts.materials += ' ', channel / 255.0);
       texts.materials += "\nillum 1\n";
     }
@@ -177,7 +180,7 @@ void save_bytes(const std::string& path, const std::string& bytes) {
 }
 
 void save_obj(const std::string& path, const Mesh& mesh) {
-  const std::string material_path = path.substr(0, path.size() - 3) + "mtl";
+  const std::string material_path = side_file(path);
   const ObjTexts texts = obj_texts(mesh, material_path.substr(material_path.find_last_of('/') + 1));
   OutputFile materials(material_path), faces(path);
   materials.write(texts.materials);
@@ -187,6 +190,18 @@ void save_obj(const std::string& path, const Mesh& mesh) {
 }
 
 }  // namespace
+
+std::string side_file(const std::string& path) {
+  return extension_of(path) == "obj" ? path.substr(0, path.size() - 3) + "mtl" : std::string();
+}
+
+bool is_foreign_side_file(const std::string& side_file) {
+  std::ifstream file(side_file, std::ios::binary);
+  const std::string ours = kMaterial + kColor + "1\nKd ";
+  std::string start(ours.size(), '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return file.gcount() > 0 && start != ours;
+}
 
 bool is_mesh_extension(const std::string& extension) {
   return extension == "off" || extension == "ply" || extension == "obj" || extension == "stl";

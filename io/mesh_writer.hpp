@@ -9,6 +9,12 @@ namespace limpet::io {
 /// True for the extensions save_mesh knows: off, ply, obj, stl (lower case, no dot).
 bool is_mesh_extension(const std::string& extension);
 
+/// The file that save_model() writes beside `path`; empty: none. The materials of an OBJ file.
+std::string side_file(const std::string& path);
+
+/// Is there a side file of this name that limpet has not written?
+bool is_foreign_side_file(const std::string& side_file);
+
 /// Writes the polygon segments as a mesh, in the format of `path`'s extension; point segments have no place
 /// in it. Coordinates read back as the same doubles, except from STL, whose format has floats. Faces:
 /// polygons; those with holes are triangulated, in STL all are. OFF and PLY carry a colour per segment, OBJ
