@@ -1,5 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,19 +14,34 @@ namespace {
 constexpr std::size_t kBufferBytes = 1 << 20;
 }
 
-ByteSource::ByteSource(const std::string& path) : name_(path == "-" ? "standard input" : path) {
-  file_ = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+ByteSource::ByteSource(const std::string& path, std::function<bool()> stop)
+    : name_(path == "-" ? "standard input" : path), stop_(std::move(stop)) {
+  // A pipe with a name is opened at once, writer or not, where something can end the wait for one.
+  const int flags = O_RDONLY | O_CLOEXEC | (stop_ ? O_NONBLOCK : 0);
+  file_ = path == "-" ? STDIN_FILENO : ::open(path.c_str(), flags);
   if (file_ < 0) throw InputError(name_, std::string("cannot be opened: ") + std::strerror(errno));
+  if (file_ != STDIN_FILENO && stop_) ::fcntl(file_, F_SETFL, O_RDONLY);
   struct stat found;
   if (::fstat(file_, &found) == 0 && S_ISDIR(found.st_mode)) {
     if (file_ != STDIN_FILENO) ::close(file_);
     throw InputError(name_, "is a folder; give the name of a file in it");
   }
+  waits_ = stop_ && !S_ISREG(found.st_mode);
   buffer_.resize(kBufferBytes);
 }
 
 ByteSource::~ByteSource() {
   if (file_ > STDIN_FILENO) ::close(file_);
+}
+
+bool ByteSource::wait() const {
+  constexpr int kMilliseconds = 100;
+  for (;;) {
+    if (stop_()) return false;
+    pollfd input{file_, POLLIN, 0};
+    const int ready = ::poll(&input, 1, kMilliseconds);
+    if (ready > 0 || (ready < 0 && errno != EINTR)) return true;
+  }
 }
 
 bool ByteSource::fill() {
@@ -38,8 +54,12 @@ bool ByteSource::fill() {
   if (end_ == buffer_.size()) return false;
   ssize_t got = 0;
   do {
+    if (waits_ && !wait()) {
+      stopped_ = ended_ = true;
+      return false;
+    }
     got = ::read(file_, buffer_.data() + end_, buffer_.size() - end_);
-  } while (got < 0 && errno == EINTR);
+  } while (got < 0 && (errno == EINTR || errno == EAGAIN));
   if (got < 0) throw InputError(here_byte(), std::string("cannot be read: ") + std::strerror(errno));
   if (got == 0) ended_ = true;
   end_ += static_cast<std::size_t>(got);
@@ -85,7 +105,7 @@ bool ByteSource::line(std::string_view& text) {
         throw InputError(name_ + ": line " + std::to_string(line_number_ + 1),
                          "longer than 1 MiB; is this a binary file?");
       }
-      if (there == 0) return false;
+      if (there == 0 || stopped_) return false;  // what is there of a line is not all of it
     }
     const std::size_t length =
         found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - from) : there;

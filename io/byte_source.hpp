@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,8 +13,10 @@ namespace limpet::io {
 /// kept for messages. Views it returns are good until the next call.
 class ByteSource {
  public:
-  /// Opens `path`; "-" is standard input. Errors: InputError when there is no such file, or it is a folder.
-  explicit ByteSource(const std::string& path);
+  /// Opens `path`; "-" is standard input. `stop`, where there is one, is asked while bytes of a pipe or a
+  /// terminal are waited for, ten times a second; once it says true, the input ends there, after its last
+  /// whole line. Errors: InputError when there is no such file, or it is a folder.
+  explicit ByteSource(const std::string& path, std::function<bool()> stop = {});
   ~ByteSource();
   ByteSource(const ByteSource&) = delete;
   ByteSource& operator=(const ByteSource&) = delete;
@@ -49,11 +52,14 @@ class ByteSource {
 
  private:
   bool fill();
+  /// Until there are bytes, or none will come. False: it is to stop.
+  bool wait() const;
   char first_line_end();
 
   std::string name_;
+  std::function<bool()> stop_;
   int file_ = -1;
-  bool ended_ = false;
+  bool waits_ = false, ended_ = false, stopped_ = false;
   char line_end_ = 0;  ///< 0: no line has been taken yet
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limpet/io/error.hpp>
 #include <limpet/io/label_source.hpp>
+#include <limpet/io/scan_formats.hpp>
 #include <limpet/io/text.hpp>
 
 namespace limpet::io {
@@ -24,16 +25,15 @@ LabelSource::LabelSource(const std::string& path, const std::string& column) {
   if (!is_scan) {
     list_ = std::make_unique<ByteSource>(path);
     list_->skip_byte_order_mark();
-    is_scan = path != "-" && begins_like_a_scan(*list_);
+    is_scan = begins_like_a_scan(*list_);
   }
   if (!is_scan) {
     if (column.empty()) return;
     throw InputError(list_->name(), "is read as a list of labels, which has no column " + in_quotes(column));
   }
-  list_.reset();
   ScanOptions options;
   options.label_column = column;
-  scan_ = open_scan(path, options);
+  scan_ = list_ ? open_scan(std::move(list_), path, options) : open_scan(path, options);
 }
 
 bool LabelSource::next(std::int64_t& label) { return is_list() ? next_of_list(label) : next_of_scan(label); }

@@ -65,15 +65,19 @@ ScanColumns::ScanColumns(const std::vector<std::string>& names, const ScanOption
     std::copy(found.begin(), found.end(), column_.begin() + kAxisX);
     return true;
   };
+  keep_axisless_ = options.keep_axisless;
+  if (options.viewpoint) viewpoint_ = *options.viewpoint;
+  has_viewpoint_ = options.viewpoint && !options.ignore_axes;
   if (options.ignore_axes) {
     axis_source_ = AxisSource::kNone;
+  } else if (options.ignore_axis_columns) {
+    axis_source_ = has_viewpoint_ ? AxisSource::kViewpoint : AxisSource::kNone;
   } else if (axis_columns("ax", "ay", "az")) {
     axis_source_ = AxisSource::kAxis;
   } else if (axis_columns("nx", "ny", "nz") || axis_columns("normal_x", "normal_y", "normal_z")) {
     axis_source_ = AxisSource::kNormal;
   } else if (options.viewpoint) {
     axis_source_ = AxisSource::kViewpoint;
-    viewpoint_ = *options.viewpoint;
   }
   if (options.label_column.empty()) {
     column_[kLabel] = find_label(names);
@@ -94,6 +98,11 @@ ScanColumns::Role ScanColumns::role(std::size_t column) const {
   return static_cast<Role>(found - column_.begin());
 }
 
+void ScanColumns::from_viewpoint(model::SensorPoint& point) const {
+  point.axis = point.position - viewpoint_;
+  point.range = length(point.axis);
+}
+
 bool ScanColumns::make(const Row& row, ScanRecord& record) const {
   Eigen::Vector3d& p = record.point.position;
   Eigen::Vector3d& a = record.point.axis;
@@ -101,6 +110,7 @@ bool ScanColumns::make(const Row& row, ScanRecord& record) const {
   if (!p.allFinite()) return false;
   record.point.range = 0;
   record.has_axis = axis_source_ != AxisSource::kNone;
+  record.axisless = false;
   switch (axis_source_) {
     case AxisSource::kNone:
       a.setZero();
@@ -112,11 +122,16 @@ bool ScanColumns::make(const Row& row, ScanRecord& record) const {
       a = {0 - row[kAxisX], 0 - row[kAxisY], 0 - row[kAxisZ]};
       break;
     case AxisSource::kViewpoint:
-      a = p - viewpoint_;
-      record.point.range = length(a);
+      from_viewpoint(record.point);
       break;
   }
-  if (record.has_axis && !normalise(a)) return false;
+  if (record.has_axis && !normalise(a)) {
+    if (!keep_axisless_ || axis_source_ == AxisSource::kViewpoint) return false;
+    record.axisless = true;
+    record.has_axis = has_viewpoint_;
+    a.setZero();
+    if (has_viewpoint_ && (from_viewpoint(record.point), !normalise(a))) return false;
+  }
   record.label = -1;
   if (column_[kLabel] >= 0) {
     constexpr double kExact = 9007199254740992.0;  // 2⁵³

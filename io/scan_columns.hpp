@@ -32,9 +32,13 @@ class ScanColumns {
 
  private:
   enum class AxisSource { kNone, kAxis, kNormal, kViewpoint };
+
+  void from_viewpoint(model::SensorPoint& point) const;
+
   AxisSource axis_source_ = AxisSource::kNone;
   std::array<int, kRoles> column_;
   Eigen::Vector3d viewpoint_ = Eigen::Vector3d::Zero();
+  bool has_viewpoint_ = false, keep_axisless_ = false;
 };
 
 /// Scales `v` to length 1 with + - × ÷ √ alone; false when its length is zero or not finite. A vector whose

@@ -11,6 +11,9 @@ namespace limpet::io {
 
 using SourcePtr = std::unique_ptr<ByteSource>;
 
+/// open_scan() of a source that stands at its first byte. `path` tells the format where its bytes do not.
+std::unique_ptr<ScanReader> open_scan(SourcePtr source, const std::string& path, const ScanOptions& options);
+
 std::unique_ptr<ScanReader> open_ply(SourcePtr source, const ScanOptions& options);
 std::unique_ptr<ScanReader> open_pcd(SourcePtr source, const ScanOptions& options);
 /// XYZ and PWN: columns of numbers, a line a point.

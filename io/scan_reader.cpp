@@ -58,7 +58,10 @@ void refuse_mesh(const ByteSource& source, const std::string& where, const std::
 }
 
 std::unique_ptr<ScanReader> open_scan(const std::string& path, const ScanOptions& options) {
-  auto source = std::make_unique<ByteSource>(path);
+  return open_scan(std::make_unique<ByteSource>(path, options.stop), path, options);
+}
+
+std::unique_ptr<ScanReader> open_scan(SourcePtr source, const std::string& path, const ScanOptions& options) {
   source->skip_byte_order_mark();
   if (source->at_end()) throw InputError(source->name(), "the file is empty");
   const std::string format = options.format.empty() ? guess_format(*source, path) : options.format;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <limpet/model/sensor_point.hpp>
 #include <memory>
 #include <optional>
@@ -15,6 +16,9 @@ struct ScanRecord {
   model::SensorPoint point;  ///< scan's unit; the axis is zero when the scan does not tell it
   bool has_axis = false;     ///< the axis is known and has length 1
   std::int64_t label = -1;   ///< what the scan says the point belongs to; -1: nothing, or no whole number
+  /// The scan has columns for an axis or a normal, but they say none here (zero, not finite). The axis is
+  /// then the one from the viewpoint, if that is known. Only with ScanOptions::keep_axisless.
+  bool axisless = false;
 };
 
 struct ScanOptions {
@@ -23,11 +27,17 @@ struct ScanOptions {
   std::optional<Eigen::Vector3d> viewpoint;
   /// Take no axis, whatever the scan says.
   bool ignore_axes = false;
+  /// Give out points whose axis or normal is none (zero, not finite), too.
+  bool keep_axisless = false;
+  /// Take no axis from columns, but one from the viewpoint.
+  bool ignore_axis_columns = false;
+  /// Asked while a pipe or a terminal is waited for; true ends the scan there (ByteSource).
+  std::function<bool()> stop{};
   /// "ply", "pcd", "xyz" or "pwn"; empty: told by the first bytes, then by the file's extension.
-  std::string format;
+  std::string format{};
   /// The column (property, field) that says which region a point is of; empty: the first that is there of the
   /// names known for it (see ScanColumns). It must be there when named.
-  std::string label_column;
+  std::string label_column{};
 };
 
 /// A scan, read in order, one record at a time, in memory that does not depend on its size (a compressed PCD

@@ -11,11 +11,10 @@ namespace limpet::io {
 /// (with or without blanks beside it). Where it is not the comma, numbers may have decimal commas instead of
 /// points, but not some the one and some the other.
 ///
-/// A row is given without blanks at its ends. Commas could be either, and are told apart so:
-///
-///     1,5;2,5;3,5    1,5 2,5 3,5    decimal signs: something else separates, and there is one at most in
-///     each 1,5,2          1, 5, 2        separators: nothing else separates 1,5, 2,5, 3,5 could be either,
-///     or three numbers or six: refused 1,5,2 3,4,5                   not clear: refused
+/// A row is given without blanks at its ends. Commas could be either, and are told apart so. In `1,5;2,5;3,5`
+/// and `1,5 2,5 3,5` something else separates, and a number has one at most: they are decimal signs. In
+/// `1,5,2` and `1, 5, 2` nothing else does: they separate. `1,5, 2,5, 3,5` could be three numbers or six, and
+/// what is in `1,5,2 3,4,5` is not clear, either: both are refused.
 class TableDialect {
  public:
   /// Settles by the first row of numbers what separates them; the decimal sign is settled by the first number

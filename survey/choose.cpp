@@ -7,27 +7,25 @@
 namespace limpet::survey {
 namespace {
 
-constexpr std::int64_t kLookAheadFile = 2'000'000, kLookAheadStream = 100'000;
+constexpr std::int64_t kLookAhead = 2'000'000;
 
 /// What the scan tells about itself. The scan is gone through when this is first asked for, and only then.
 class LookAhead {
  public:
-  explicit LookAhead(PointStream& points)
-      : points_(points), most_(points.is_standard_input() ? kLookAheadStream : kLookAheadFile) {}
+  explicit LookAhead(PointStream& points) : points_(points) {}
 
   const Estimate& estimate() {
-    if (!found_) found_ = survey::estimate([&](const Take& take) { points_.look_ahead(most_, take); });
+    if (!found_) found_ = survey::estimate([&](const Take& take) { points_.look_ahead(kLookAhead, take); });
     return *found_;
   }
   const std::optional<Estimate>& found() const { return found_; }
   /// How many points the scan has; -1: not known.
   std::int64_t count() const {
-    return found_ && found_->points < most_ ? found_->points : points_.promised();
+    return found_ && found_->points < kLookAhead ? found_->points : points_.promised();
   }
 
  private:
   PointStream& points_;
-  std::int64_t most_;
   std::optional<Estimate> found_;
 };
 

@@ -49,12 +49,12 @@ class TooFewPoints : public io::InputError {
   using io::InputError::InputError;
 };
 
-/// Chooses λ, the noise and the tolerance, as far as they are not known, from the first two million points of
-/// a file or the first hundred thousand of standard input; the points are still all to be read afterwards.
-/// What is chosen has four significant digits, so that it can be printed and given again. The same scan gives
-/// the same choice. Precondition: nothing of the stream has been read. Errors: io::InputError when the scan
-/// holds no point, or when the noise is known to grow with the range but the scan does not say its points'
-/// ranges; TooFewPoints.
+/// Chooses λ, the noise and the tolerance, as far as they are not known, from the first two million points;
+/// the points are still all to be read afterwards. Of a pipe, nothing is modelled before so many have come:
+/// give resolution and noise for one that never ends. What is chosen has four significant digits, so that it
+/// can be printed and given again. The same scan gives the same choice. Precondition: nothing of the stream
+/// has been read. Errors: io::InputError when the scan holds no point, or when the noise is known to grow
+/// with the range but the scan does not say its points' ranges; TooFewPoints.
 Choice choose(PointStream& points, const Known& known = {});
 
 /// Throws io::InputError when the scan holds no point. Precondition: nothing has been read yet.
