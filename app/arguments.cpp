@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/app/arguments.hpp>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -35,6 +36,17 @@ std::vector<double> to_numbers(std::string_view text) {
     if (comma == std::string_view::npos) return numbers;
     text.remove_prefix(comma + 1);
   }
+}
+
+/// A file of another user in a folder such as /tmp (the sticky bit).
+bool only_owners_replace_files_there(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const std::string folder = fs::canonical(path, error).parent_path().string();
+  struct stat file, in;
+  if (error || ::stat(path.c_str(), &file) != 0 || ::stat(folder.c_str(), &in) != 0) return false;
+  const uid_t user = ::geteuid();
+  return (in.st_mode & S_ISVTX) != 0 && user != 0 && user != file.st_uid && user != in.st_uid;
 }
 
 }  // namespace
@@ -109,10 +121,15 @@ void require_writable(const std::string& path) {
   if (!fs::is_directory(folder, error)) {
     throw io::OutputError(path + ": there is no folder " + folder.string());
   }
-  const bool device = fs::exists(target, error) && !fs::is_regular_file(target, error);
-  if (!device && ::access(folder.c_str(), W_OK) != 0) {
+  const bool exists = fs::exists(target, error);
+  if (exists && ::access(path.c_str(), W_OK) != 0) throw io::OutputError(path + ": may not be written");
+  if (exists && !fs::is_regular_file(target, error)) return;
+  if (::access(folder.c_str(), W_OK) != 0) {
     throw io::OutputError(path + ": the folder " + folder.string() + " cannot be written to");
   }
+  if (exists && only_owners_replace_files_there(path))
+    throw io::OutputError(path +
+                          ": belongs to another user, in a folder where only its owner may replace it");
 }
 
 void require_model_name(const std::string& path) {

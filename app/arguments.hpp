@@ -36,7 +36,8 @@ survey::NoiseLaw parse_noise(const std::string& option, const std::string& text)
 std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::string& option,
                                                                 const std::string& text);
 
-/// Refuses, before any work is done, an output whose folder does not exist or cannot be written to.
+/// Refuses, before any work is done, an output whose folder does not exist or cannot be written to, or that
+/// exists and may not be written.
 /// Throws io::OutputError.
 void require_writable(const std::string& path);
 

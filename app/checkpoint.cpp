@@ -197,9 +197,10 @@ std::vector<CheckpointOption> options_of(const ModelArguments& args) {
   return options;
 }
 
-void save_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
+void save_checkpoint(const std::string& path, const Checkpoint& checkpoint, const std::string& scan) {
   const std::string head = head_of(checkpoint);
   io::OutputFile file(path);
+  file.no_more_readable_than(scan);
   file.write(head);
   file.write(checkpoint.stages);
   file.write(checkpoint.model);

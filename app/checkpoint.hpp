@@ -33,8 +33,9 @@ struct Checkpoint {
 /// simulation::load_mesh().
 std::vector<CheckpointOption> options_of(const ModelArguments& args);
 
-/// Writes the whole file or leaves the old one (see io::OutputFile). Errors: io::OutputError.
-void save_checkpoint(const std::string& path, const Checkpoint& checkpoint);
+/// Writes the whole file or leaves the old one (see io::OutputFile). Who may not read `scan` may not read the
+/// checkpoint, which holds readings. Errors: io::OutputError.
+void save_checkpoint(const std::string& path, const Checkpoint& checkpoint, const std::string& scan);
 
 /// Reads a checkpoint; nothing when there is no such file. Errors: io::InputError when the file is damaged,
 /// is no checkpoint, or is of another version of the program.

@@ -10,7 +10,7 @@ namespace limpet::app {
 void CheckpointKeeper::keep(const std::function<Checkpoint()>& taken) {
   std::string failure;
   try {
-    save_checkpoint(path_, taken());
+    save_checkpoint(path_, taken(), scan_);
   } catch (const io::OutputError& error) {
     failure = error.what();
   } catch (const std::bad_alloc&) {

@@ -12,8 +12,9 @@ namespace limpet::app {
 /// so once and tries again the next time.
 class CheckpointKeeper {
  public:
-  /// `path` empty: keeps none. `every` so many sets, > 0.
-  CheckpointKeeper(std::string path, std::int64_t every) : path_(std::move(path)), every_(every) {}
+  /// `path` empty: keeps none. `every` so many sets, > 0. `scan`: see save_checkpoint().
+  CheckpointKeeper(std::string path, std::int64_t every, std::string scan)
+      : path_(std::move(path)), every_(every), scan_(std::move(scan)) {}
 
   bool on() const { return !path_.empty(); }
   bool due(std::int64_t sets) const { return on() && sets % every_ == 0; }
@@ -25,6 +26,7 @@ class CheckpointKeeper {
  private:
   std::string path_;
   std::int64_t every_;
+  std::string scan_;
   std::string failure_;
 };
 

@@ -4,7 +4,8 @@
 #include <iostream>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
-#include <limpet/app/progress.hpp>
+#include <limpet/app/file_roles.hpp>
+#include <limpet/app/outputs.hpp>
 #include <limpet/audit/laws.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/text.hpp>
@@ -42,9 +43,15 @@ std::string to_json(const audit::Document& document, const std::vector<audit::Vi
 }  // namespace
 
 int run(const CheckArguments& args) {
+  FileRoles files;
+  files.reads("MODEL", args.model);
+  files.writes("--json", args.json);
+  files.require_apart();
   const audit::Document document = read_document(args.model);
   const auto violations = audit::judge(document);
-  if (!args.json.empty()) save_text(args.json, to_json(document, violations));
+  Outputs outputs;
+  if (!args.json.empty())
+    outputs.attempt(args.json, [&] { save_text(args.json, to_json(document, violations)); });
   if (args.json != "-") {
     for (const auto& violation : violations) {
       std::printf("%s: %s: %s: %s\n", args.model.c_str(), violation.law.c_str(), violation.where.c_str(),
@@ -62,6 +69,7 @@ int run(const CheckArguments& args) {
                       : (io::grouped(static_cast<std::int64_t>(violations.size())) + " laws are").c_str());
     }
   }
+  outputs.require_all();
   return violations.empty() ? kDone : kFallsShort;
 }
 

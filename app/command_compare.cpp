@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/file_roles.hpp>
+#include <limpet/app/outputs.hpp>
 #include <limpet/evaluation/judgement.hpp>
 #include <limpet/evaluation/subject.hpp>
 #include <limpet/io/text.hpp>
@@ -33,6 +35,12 @@ void print_row(const char* name, const evaluation::DistanceSummary& d) {
 }  // namespace
 
 int run(const CompareArguments& args) {
+  FileRoles files;
+  files.reads("MODEL", args.model);
+  files.reads("TRUTH", args.truth);
+  files.reads("--polygons", args.labels.polygons);
+  files.writes("--json", args.json);
+  files.require_apart();
   if (args.by_labels) return run_by_labels(args);
   refuse_folder(args.model);
   refuse_folder(args.truth);
@@ -43,6 +51,7 @@ int run(const CompareArguments& args) {
   const bool near = !args.max_distance || worst <= *args.max_distance;
   const bool faces = !args.faces_exact || c.polygons == c.true_faces;
 
+  Outputs outputs;
   if (!args.json.empty()) {
     nlohmann::ordered_json json;
     json["model_to_truth"] = to_json(c.model_to_truth);
@@ -54,7 +63,7 @@ int run(const CompareArguments& args) {
     json["open_edges"] = subject.open_edges;
     json["closed"] = subject.closed();
     json["within_bounds"] = near && faces;
-    save_text(args.json, json.dump(2) + "\n");
+    outputs.attempt(args.json, [&] { save_text(args.json, json.dump(2) + "\n"); });
   }
   if (!args.quiet && args.json != "-") {
     print_row("model to truth:", c.model_to_truth);
@@ -72,6 +81,7 @@ int run(const CompareArguments& args) {
     std::fprintf(stderr, "limpet: outside the bounds: %ld polygons for %ld true faces\n",
                  static_cast<long>(c.polygons), static_cast<long>(c.true_faces));
   }
+  outputs.require_all();
   return near && faces ? kDone : kFallsShort;
 }
 

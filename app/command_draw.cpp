@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/file_roles.hpp>
 #include <limpet/app/run_reader.hpp>
 #include <limpet/app/run_stages.hpp>
 #include <limpet/drawing/drawing.hpp>
@@ -38,7 +39,10 @@ drawing::View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::
 }  // namespace
 
 int run(const DrawArguments& args) {
-  require_writable(args.picture);
+  FileRoles files;
+  for (const std::string& path : args.models) files.reads("MODEL", path);
+  files.writes("-o", args.picture);
+  files.require_apart();
   const std::string extension = io::extension_of(args.picture);
   if (extension != "png" && extension != "svg") {
     throw UsageError("-o " + args.picture + ": a picture is written as .png or .svg");
@@ -51,7 +55,7 @@ int run(const DrawArguments& args) {
       figures.push_back({drawing::record_of(simulation::make_scene(path).mesh), name});
       continue;
     }
-    if (is_run(path)) {
+    if (std::error_code none; std::filesystem::is_regular_file(path, none) && is_run(path)) {
       for (drawing::Figure& figure : run_stages(path, args.stages)) figures.push_back(std::move(figure));
       options.vertices = options.loose_points = false;  // which dots of the path could be taken for
       continue;

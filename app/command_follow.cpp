@@ -47,34 +47,75 @@ std::string note_on(const FollowStep& step) {
          std::string(following::name_of(step.motion.mode));
 }
 
+void require_files(const FollowArguments& args, const SceneFile& scene) {
+  FileRoles files = outputs_of(args);
+  files.reads("SCENE", args.scene);
+  if (scene.world.mesh != args.scene) files.reads("the scene's mesh", scene.world.mesh);
+  files.reads("the scene's image", scene.world.image);
+  files.reads("the initial faces", scene.world.initial_mesh);
+  files.require_apart();
+}
+
+/// Records a run as long as that goes well: the run does not end because its record cannot be written.
+class Recorder {
+ public:
+  Recorder(std::string path, const FollowSetup& setup, Outputs& outputs)
+      : path_(std::move(path)), outputs_(outputs) {
+    if (!path_.empty()) record_.emplace(path_, head_of(setup));
+  }
+  void add(const FollowStep& step) {
+    attempt([&] { record_->add(set_of(step)); });
+  }
+  void end(const FollowOutcome& outcome) {
+    attempt([&] { record_->end({outcome.ended, outcome.marks}); });
+  }
+
+ private:
+  template <class Write>
+  void attempt(Write&& write) {
+    if (!record_) return;
+    outputs_.attempt(path_, write);
+    if (!outputs_.failed()) return;
+    record_.reset();
+    std::fprintf(stderr, "limpet: warning: %s: cannot be written any more; the run goes on without\n",
+                 path_.c_str());
+  }
+
+  std::string path_;
+  Outputs& outputs_;
+  std::optional<RunRecord> record_;
+};
+
 }  // namespace
 
 int run(const FollowArguments& args) {
   if (!args.replay.empty()) return run_again(args);
-  require_outputs(args);
-  const FollowSetup setup = make_setup(args);
+  const SceneFile scene = scene_of(args);
+  require_files(args, scene);
+  const FollowSetup setup = make_setup(scene);
   say_choice(args, setup);
   catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
   FollowRun follow(setup);
-  std::optional<RunRecord> record;
-  if (!args.record.empty()) record.emplace(args.record, head_of(setup));
+  Outputs outputs;
+  Recorder recorder(args.record, setup, outputs);
   Progress progress("following", -1, args.quiet);
   RunJudge judge;
   std::int64_t sets = 0;
   FollowSummary summary;
   summary.run = follow.go([&](const FollowStep& step) {
     ++sets;
-    if (record) record->add(set_of(step));
+    recorder.add(step);
     progress.step(sets, note_on(step));
     if (args.check_every > 0 && sets % args.check_every == 0) judge.judge_model(step.seen.model, sets);
   });
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress.clear();
-  if (record) record->end({summary.run.ended, summary.run.marks});
+  recorder.end(summary.run);
+  save_models(args, follow.model(), summary.run.ended == "interrupted", sets, outputs);
   judge.judge_model(follow.model(), sets);
   if (setup.world.truth) summary.truth = judge_by_truth(setup, summary.run, follow.model());
-  return save_result(args, std::move(summary), follow.model(), judge);
+  return save_result(args, std::move(summary), follow.model(), judge, outputs);
 }
 
 }  // namespace limpet::app

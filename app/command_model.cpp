@@ -6,6 +6,7 @@
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/checkpoint.hpp>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/file_roles.hpp>
 #include <limpet/app/interrupt.hpp>
 #include <limpet/app/model_run.hpp>
 #include <limpet/io/error.hpp>
@@ -16,17 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The checkpoint's name must not be that of another file, which would be overwritten.
+/// The checkpoint must not take the place of a file that is none.
 void require_checkpoint_place(const ModelArguments& args) {
   const std::string& path = args.checkpoint;
-  require_writable(path);
   std::error_code error;
-  std::vector<std::string> others = args.models;
-  others.insert(others.end(), {args.labels, args.json, args.scan});
-  for (const std::string& other : others) {
-    if (!other.empty() && fs::weakly_canonical(other, error) == fs::weakly_canonical(path, error))
-      throw UsageError("--checkpoint " + path + ": is the name of another file of this run");
-  }
   if (fs::is_regular_file(path, error) && fs::file_size(path, error) > 0 && !is_checkpoint(path))
     throw io::InputError(path, "is no checkpoint of limpet, and is not overwritten");
   if (!fs::exists(path, error) || fs::is_regular_file(path, error)) {
@@ -34,13 +28,17 @@ void require_checkpoint_place(const ModelArguments& args) {
   }
 }
 
-void require_outputs(const ModelArguments& args) {
-  for (const std::string& path : args.models) {
-    require_model_name(path);
-    require_writable(path);
-  }
-  if (!args.labels.empty()) require_writable(args.labels);
-  if (!args.json.empty() && args.json != "-") require_writable(args.json);
+void require_files(const ModelArguments& args) {
+  FileRoles files;
+  files.reads("SCAN", args.scan);
+  files.reads("--initial", args.initial);
+  for (const std::string& path : args.models) files.writes_model("-o", path);
+  files.writes("--labels", args.labels);
+  files.writes("--json", args.json);
+  files.writes("--checkpoint", args.checkpoint);
+  for (const std::string& path : Stages::names(args.models.front(), args.stages))
+    files.writes("--stages", path);
+  files.require_apart();
   if (!args.checkpoint.empty()) require_checkpoint_place(args);
 }
 
@@ -57,9 +55,14 @@ std::optional<Checkpoint> found_checkpoint(const ModelArguments& args) {
 }  // namespace
 
 int run(const ModelArguments& args) {
-  require_outputs(args);
+  require_files(args);
   catch_interrupts();
-  return ModelRun(args, found_checkpoint(args)).go();
+  try {
+    return ModelRun(args, found_checkpoint(args)).go();
+  } catch (const io::InputError&) {  // a scan that is cut short by a signal may seem to hold nothing
+    if (!interrupted()) throw;
+    return say_nothing_is_written();
+  }
 }
 
 }  // namespace limpet::app

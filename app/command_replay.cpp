@@ -30,7 +30,9 @@ void add(FollowOutcome& outcome, const RunSet& set) {
 }  // namespace
 
 int run_again(const FollowArguments& args) {
-  require_outputs(args);
+  FileRoles files = outputs_of(args);
+  files.reads("--replay", args.replay);
+  files.require_apart();
   RunReader reader(args.replay);
   if (reader.head().arithmetic != geometry::arithmetic())
     warn(args.replay,
@@ -50,15 +52,17 @@ int run_again(const FollowArguments& args) {
     progress.step(++sets);
     if (args.check_every > 0 && sets % args.check_every == 0) judge.judge_model(model, sets);
   }
-  model.finish();
+  model.finish(interrupted);
   summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   progress.clear();
   if (!reader.is_whole() && !interrupted())
     warn(args.replay, "the run was cut short: it ends without its end");
   summary.run.ended = reader.end().reason;
   summary.run.marks = reader.end().marks;
+  Outputs outputs;
+  save_models(args, model, interrupted(), sets, outputs);
   judge.judge_model(model, sets);
-  return save_result(args, std::move(summary), model, judge);
+  return save_result(args, std::move(summary), model, judge, outputs);
 }
 
 }  // namespace limpet::app

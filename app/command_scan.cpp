@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/file_roles.hpp>
 #include <limpet/app/interrupt.hpp>
 #include <limpet/app/progress.hpp>
 #include <limpet/io/scan_writer.hpp>
@@ -48,7 +49,10 @@ std::string header_of(const ScanArguments& args) {
 }  // namespace
 
 int run(const ScanArguments& args) {
-  require_writable(args.scan);
+  FileRoles files;
+  files.reads("MESH", args.mesh);
+  files.writes("-o", args.scan);
+  files.require_apart();
   order_of(args.order);
   refuse_folder(args.mesh);
   const simulation::Scene scene = simulation::make_scene(args.mesh);

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/outputs.hpp>
 #include <limpet/app/progress.hpp>
 #include <limpet/evaluation/label_overlaps.hpp>
 #include <limpet/evaluation/region_score.hpp>
@@ -33,7 +34,6 @@ std::optional<std::set<std::int64_t>> polygons_of(const std::string& path) {
 std::string name_of(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 evaluation::CountedOverlaps read_overlaps(const CompareArguments& args) {
-  if (args.model == "-" && args.truth == "-") throw UsageError("only one of LABELS and TRUTH can be -");
   const auto polygons = polygons_of(args.labels.polygons);
   io::LabelSource found(args.model, ""), truth(args.truth, args.labels.column);
   // What was found may come as a list or as a scan: 0 is in no segment.
@@ -140,12 +140,16 @@ int run_by_labels(const CompareArguments& args) {
                                                   " points or more; see --column, --none and --min-true");
   }
   const bool within = !labels.min_correct || score.correct_share() >= *labels.min_correct;
-  if (!args.json.empty()) save_text(args.json, to_json(score, labels, overlaps.records, within));
+  Outputs outputs;
+  if (!args.json.empty())
+    outputs.attempt(args.json,
+                    [&] { save_text(args.json, to_json(score, labels, overlaps.records, within)); });
   if (!args.quiet && args.json != "-") print(score);
   if (!within) {
     std::fprintf(stderr, "limpet: outside the bounds: %.4g of the true regions correct, --min-correct %.4g\n",
                  score.correct_share(), *labels.min_correct);
   }
+  outputs.require_all();
   return within ? kDone : kFallsShort;
 }
 

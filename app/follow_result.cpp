@@ -4,17 +4,17 @@
 #include <cstdio>
 #include <limpet/app/arguments.hpp>
 #include <limpet/io/mesh_writer.hpp>
+#include <limpet/io/text.hpp>
 #include <utility>
 
 namespace limpet::app {
 
-void require_outputs(const FollowArguments& args) {
-  for (const std::string& path : args.models) {
-    require_model_name(path);
-    require_writable(path);
-  }
-  if (!args.json.empty() && args.json != "-") require_writable(args.json);
-  if (!args.record.empty()) require_writable(args.record);
+FileRoles outputs_of(const FollowArguments& args) {
+  FileRoles files;
+  for (const std::string& path : args.models) files.writes_model("-o", path);
+  files.writes("--json", args.json);
+  files.writes("--record", args.record);
+  return files;
 }
 
 void RunJudge::judge_model(const model::Model& model, std::int64_t sets) {
@@ -25,15 +25,24 @@ void RunJudge::judge_model(const model::Model& model, std::int64_t sets) {
                    violation.law.c_str(), violation.where.c_str(), violation.what.c_str());
 }
 
+void save_models(const FollowArguments& args, const model::Model& model, bool interrupted, std::int64_t sets,
+                 Outputs& outputs) {
+  const model::ModelRecord record = model.record();
+  for (const std::string& path : args.models) outputs.attempt(path, [&] { io::save_model(path, record); });
+  if (interrupted)
+    std::fprintf(stderr, "limpet: interrupted after %s sets; the model so far is written\n",
+                 io::grouped(sets).c_str());
+}
+
 int save_result(const FollowArguments& args, FollowSummary summary, const model::Model& model,
-                const RunJudge& judge) {
+                const RunJudge& judge, Outputs& outputs) {
   const model::ModelRecord record = model.record();
   summary.model = summarise(record, model.open_edges());
   summary.model.violations = judge.violations();
   summary.model.seconds = summary.seconds;
-  for (const std::string& path : args.models) io::save_model(path, record);
-  if (!args.json.empty()) save_text(args.json, to_json(summary));
+  if (!args.json.empty()) outputs.attempt(args.json, [&] { save_text(args.json, to_json(summary)); });
   if (!args.quiet) std::fprintf(args.json == "-" ? stderr : stdout, "%s", to_text(summary).c_str());
+  outputs.require_all();
   return judge.violations() > 0 || summary.run.ended != "complete" ? kFallsShort : kDone;
 }
 

@@ -3,13 +3,15 @@
 
 #include <cstdint>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/file_roles.hpp>
 #include <limpet/app/follow_summary.hpp>
+#include <limpet/app/outputs.hpp>
 #include <limpet/model/model.hpp>
 
 namespace limpet::app {
 
-/// Refuses, before any work is done, outputs that cannot be written. Throws UsageError or io::OutputError.
-void require_outputs(const FollowArguments&);
+/// The outputs of a run, to which its inputs are added.
+FileRoles outputs_of(const FollowArguments&);
 
 /// Asks the oracle about the model of a run, and tells of the first laws that are broken.
 class RunJudge {
@@ -22,8 +24,13 @@ class RunJudge {
   std::int64_t violations_ = 0;
 };
 
-/// Writes the finished model and the summary of a run, adding what the model says of itself, and says it for
-/// people. Returns the exit code. Throws io::OutputError.
-int save_result(const FollowArguments&, FollowSummary, const model::Model&, const RunJudge&);
+/// Writes the model of a run, and says so if the run was interrupted: what comes after may take a while.
+void save_models(const FollowArguments&, const model::Model&, bool interrupted, std::int64_t sets, Outputs&);
+
+/// Writes the summary of a run, adding what the model says of itself, and says it for
+/// people. `outputs`: what else was written, and has perhaps failed. Returns the exit code. Throws
+/// io::OutputError.
+int save_result(const FollowArguments&, FollowSummary, const model::Model&, const RunJudge&,
+                Outputs& outputs);
 
 }  // namespace limpet::app

@@ -40,7 +40,8 @@ FollowOutcome FollowRun::go(const std::function<void(const FollowStep&)>& look) 
   outcome.ended = go_on(outcome, look);
   outcome.marks = follower_->marks();
   outcome.stuck_sensors = watch_.stuck();
-  model_.finish();
+  model_.finish(interrupted);
+  if (interrupted()) outcome.ended = "interrupted";
   return outcome;
 }
 

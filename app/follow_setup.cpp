@@ -8,11 +8,9 @@
 #include <stdexcept>
 
 namespace limpet::app {
-namespace {
 
 constexpr double kDegree = 0.017453292519943295;
 
-/// The scene with the options of the command line put over it.
 SceneFile scene_of(const FollowArguments& args) {
   SceneFile scene = read_scene(args.scene);
   if (!args.robot.empty()) scene.robot.kind = args.robot;
@@ -35,6 +33,8 @@ SceneFile scene_of(const FollowArguments& args) {
   }
   return scene;
 }
+
+namespace {
 
 /// Throws UsageError when an error is said of a sensor that the robot does not have.
 void require_sensors(const kinematics::Robot& robot, const simulation::SensingErrors& errors) {

@@ -28,6 +28,9 @@ struct FollowSetup {
   std::uint64_t seed = 1;
 };
 
+/// The scene that the arguments name, with their options put over it. Errors: as of read_scene().
+SceneFile scene_of(const FollowArguments&);
+
 /// Puts together what a scene says. What it does not say is chosen: λ by the object (chosen_resolution()),
 /// all other lengths by λ as in thesis §4.3, the start at random by the seed. Throws UsageError when lengths
 /// do not fit each other (λ < δ < range, σ_max < range, γ·r < range), or something is missing, and what

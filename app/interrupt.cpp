@@ -1,10 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/app/interrupt.hpp>
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <csignal>
 
 namespace limpet::app {
@@ -12,29 +8,29 @@ namespace {
 
 volatile std::sig_atomic_t signal_came = 0;
 
-/// Ends standard input, so that nothing waits for it any longer. Only calls that are safe in a signal
-/// handler.
-void remember(int) {
-  signal_came = 1;
-  const int error = errno;
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  if (nothing >= 0) {
-    ::dup2(nothing, STDIN_FILENO);
-    ::close(nothing);
+void remember(int signal) {
+  if (signal_came != 0) {  // the second one: blocked until here is left, and then taken as usual
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
   }
-  errno = error;
+  signal_came = 1;
+}
+
+void take(int signal) {
+  struct sigaction action = {};
+  action.sa_handler = remember;
+  // No SA_RESTART: what waits for input wakes up.
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
 void catch_interrupts() {
-  struct sigaction action = {};
-  action.sa_handler = remember;
-  // Back to the default after the first. No SA_RESTART: a read that waits for standard input wakes up.
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  take(SIGINT);
+  take(SIGTERM);
+  struct sigaction before = {};  // a run under nohup goes on when the terminal goes
+  if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) take(SIGHUP);
 }
 
 bool interrupted() { return signal_came != 0; }

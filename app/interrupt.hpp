@@ -3,8 +3,8 @@
 
 namespace limpet::app {
 
-/// From now on the first SIGINT or SIGTERM only sets a flag, so that what there is can be written; a second
-/// one ends the program as usual.
+/// From now on the first SIGINT, SIGTERM or SIGHUP only sets a flag, so that what there is can be written; a
+/// second one, of whichever kind, ends the program as usual. A SIGHUP that is ignored stays so.
 void catch_interrupts();
 
 /// True once a signal has come.

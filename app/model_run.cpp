@@ -35,22 +35,29 @@ void add_initial(model::Model& model, const std::string& mesh) {
 
 }  // namespace
 
+int say_nothing_is_written() {
+  std::fprintf(stderr, "limpet: interrupted before the first set; nothing is written\n");
+  return kFallsShort;
+}
+
 ModelRun::ModelRun(const ModelArguments& args, std::optional<Checkpoint> checkpoint)
     : args_(args),
       options_(args.checkpoint.empty() ? std::vector<CheckpointOption>{} : options_of(args)),
       from_(std::move(checkpoint)),
-      scan_(args.scan, {args.viewpoint, args.orient, {}, {}}, interrupted),
-      keeper_(args.checkpoint, args.checkpoint_every),
+      scan_(args.scan, {.viewpoint = args.viewpoint, .ignore_axes = args.orient}, interrupted),
+      keeper_(args.checkpoint, args.checkpoint_every, args.scan),
       stages_(args.stages) {
   if (from_) require_same_options(args.checkpoint, *from_, options_);
 }
 
 int ModelRun::go() {
   require_points(scan_, args_);
+  if (scan_.axes_say_nothing()) warn_of_axes();
   model::Model model = from_ ? resume() : begin();
   if (from_ && !catch_up()) return kFallsShort;
   from_.reset();
   read_all(model);
+  if (interrupted_ && sets_ == 0) return say_nothing_is_written();
   return write(model);
 }
 
@@ -113,16 +120,16 @@ void ModelRun::read_all(model::Model& model) {
   std::vector<Reading> set;
   for (;;) {
     read_set(set);
-    // A signal ends standard input wherever it is: what has just been read may be cut short.
     if (interrupted() || set.empty()) break;
     give(model, set);
     if (keeper_.due(sets_)) keep_checkpoint(model);
     progress.step(given_);
   }
+  // The state before finish(): a run that is ended there goes on from here.
+  if (sets_ > 0) keep_checkpoint(model);
+  if (interrupted() && !set.empty()) give(model, set);
+  if (!interrupted()) model.finish(interrupted);
   interrupted_ = interrupted();
-  if (interrupted_ && sets_ > 0) keep_checkpoint(model);
-  if (interrupted_ && !set.empty()) give(model, set);
-  if (!interrupted_) model.finish();
   seconds_ = seconds_so_far();
   skipped_.add(given_, scan_.skipped_at_end());
 }
@@ -184,18 +191,25 @@ double ModelRun::seconds_so_far() const {
 
 int ModelRun::write(const model::Model& model) {
   const model::ModelRecord record = model.record();
+  Outputs outputs;
+  save(model, record, outputs);
   judge(record, "the final model");
   const Summary summary = summarise_run(model, record);
-  save(model, record, summary);
+  if (!args_.json.empty()) outputs.attempt(args_.json, [&] { save_text(args_.json, to_json(summary)); });
   report(summary);
-  if (!summary.damage.empty()) throw io::InputError(summary.damage + "; what was read before it is modelled");
-  if (!keeper_.failure().empty())
-    throw io::OutputError(keeper_.failure() + "; the model is written, but not the last checkpoint");
+  if (!keeper_.failure().empty()) outputs.add(keeper_.failure() + ", so that there is no last checkpoint");
+  if (!summary.damage.empty()) {
+    const std::string damage = summary.damage + "; what was read before it is modelled";
+    if (!outputs.failed()) throw io::InputError(damage);
+    outputs.add(damage);
+  }
+  outputs.require_all();
   return summary.violations > 0 || summary.interrupted ? kFallsShort : kDone;
 }
 
 Summary ModelRun::summarise_run(const model::Model& model, const model::ModelRecord& record) const {
-  Summary summary = summarise(record, model.open_edges());
+  // Why edges are open takes as long to find out as a round of finish(): not after an interruption.
+  Summary summary = summarise(record, interrupted_ ? std::vector<model::OpenEdge>() : model.open_edges());
   summary.refused += scan_.skipped();
   summary.violations = violations_;
   summary.seconds = seconds_;
@@ -205,24 +219,34 @@ Summary ModelRun::summarise_run(const model::Model& model, const model::ModelRec
   return summary;
 }
 
-void ModelRun::save(const model::Model& model, const model::ModelRecord& record,
-                    const Summary& summary) const {
-  for (const std::string& path : args_.models) io::save_model(path, record);
-  if (args_.stages > 0) stages_.save(args_.models.front(), record);
-  if (!args_.labels.empty()) save_text(args_.labels, skipped_.label_lines(model.labels()));
-  if (!args_.json.empty()) save_text(args_.json, to_json(summary));
+/// What the model is for comes first: the rest takes its time.
+void ModelRun::save(const model::Model& model, const model::ModelRecord& record, Outputs& outputs) const {
+  for (const std::string& path : args_.models) outputs.attempt(path, [&] { io::save_model(path, record); });
+  if (!args_.labels.empty())
+    outputs.attempt(args_.labels, [&] { save_text(args_.labels, skipped_.label_lines(model.labels())); });
+  if (args_.stages > 0) outputs.attempt("--stages", [&] { stages_.save(args_.models.front(), record); });
+  if (interrupted_)
+    std::fprintf(stderr, "limpet: interrupted after %s points; the model so far is written\n",
+                 io::grouped(record.points).c_str());
 }
 
 void ModelRun::report(const Summary& summary) const {
-  if (summary.interrupted) {
-    std::fprintf(stderr, "limpet: interrupted after %s points; the model so far is written\n",
-                 io::grouped(summary.points).c_str());
-  }
   warn_of_density(summary);
-  if (args_.quiet) return;
+  if (args_.quiet) {
+    if (summary.refused > 0)
+      std::fprintf(stderr, "limpet: warning: %s records were no point\n",
+                   io::grouped(summary.refused).c_str());
+    return;
+  }
   std::string text = to_text(summary) + "written:";
   for (const std::string& path : args_.models) text += " " + path;
   std::fprintf(for_people(args_), "%s\n", text.c_str());
+}
+
+void ModelRun::warn_of_axes() {
+  std::fprintf(stderr,
+               "limpet: warning: all normals or axes that %s says are zero; it is read as one without\n",
+               scan_.name().c_str());
 }
 
 void ModelRun::warn_of_density(const Summary& summary) const {

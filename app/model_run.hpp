@@ -6,6 +6,7 @@
 #include <limpet/app/checkpoint.hpp>
 #include <limpet/app/checkpoint_keeper.hpp>
 #include <limpet/app/commands.hpp>
+#include <limpet/app/outputs.hpp>
 #include <limpet/app/scan_choices.hpp>
 #include <limpet/app/skipped_records.hpp>
 #include <limpet/app/stages.hpp>
@@ -49,8 +50,9 @@ class ModelRun {
   double seconds_so_far() const;
   int write(const model::Model& model);
   Summary summarise_run(const model::Model& model, const model::ModelRecord& record) const;
-  void save(const model::Model& model, const model::ModelRecord& record, const Summary& summary) const;
+  void save(const model::Model& model, const model::ModelRecord& record, Outputs& outputs) const;
   void report(const Summary& summary) const;
+  void warn_of_axes();
   void warn_of_density(const Summary& summary) const;
 
   using Clock = std::chrono::steady_clock;
@@ -76,5 +78,8 @@ class ModelRun {
   double seconds_ = 0;
   bool interrupted_ = false;
 };
+
+/// Says that a signal came before anything was modelled. Returns the exit code.
+int say_nothing_is_written();
 
 }  // namespace limpet::app

@@ -56,14 +56,20 @@ void Stages::restore(std::string_view state) {
   require(state.empty());
 }
 
-std::vector<std::string> Stages::save(const std::string& path, const model::ModelRecord& final_model) const {
+std::vector<std::string> Stages::names(const std::string& path, int count) {
   std::vector<std::string> names;
   const std::string extension = io::extension_of(path);
   const std::string stem = extension.empty() ? path : path.substr(0, path.size() - extension.size() - 1);
+  for (int i = 1; i <= count; ++i) names.push_back(stem + ".stage" + std::to_string(i) + ".limpet");
+  return names;
+}
+
+std::vector<std::string> Stages::save(const std::string& path, const model::ModelRecord& final_model) const {
+  std::vector<std::string> names = Stages::names(path, count_);
   for (int i = 1; i <= count_; ++i) {
-    names.push_back(stem + ".stage" + std::to_string(i) + ".limpet");
+    const std::string& name = names[static_cast<std::size_t>(i) - 1];
     if (i == count_ || kept_.empty()) {
-      io::save_native(names.back(), final_model);
+      io::save_native(name, final_model);
       continue;
     }
     // The kept one nearest to the i-th part of the way.
@@ -71,7 +77,7 @@ std::vector<std::string> Stages::save(const std::string& path, const model::Mode
     const auto nearest = std::min_element(kept_.begin(), kept_.end(), [&](const auto& a, const auto& b) {
       return std::abs(a.points - wanted) < std::abs(b.points - wanted);
     });
-    io::OutputFile file(names.back());
+    io::OutputFile file(name);
     file.write(nearest->native);
     file.close();
   }

@@ -17,6 +17,8 @@ class Stages {
   explicit Stages(int count) : count_(count) {}
   /// After each set.
   void look(const model::Model& model);
+  /// The names of the `count` models that save() writes beside `path`.
+  static std::vector<std::string> names(const std::string& path, int count);
   /// Saves `count` models in the native format beside `path`: cube.limpet gives cube.stage1.limpet and so on;
   /// the last is `final_model`. Returns their names. Errors: io::OutputError.
   std::vector<std::string> save(const std::string& path, const model::ModelRecord& final_model) const;
