@@ -12,7 +12,7 @@ demo: configure
 	tools/demo.sh build/$(PRESET)/limpet
 
 test: build
-	ctest --test-dir build/$(PRESET) -j2 --output-on-failure
+	tools/test.sh build/$(PRESET)
 
 build: configure
 	cmake --build build/$(PRESET) -j $(JOBS)
@@ -99,7 +99,7 @@ format-check: packages
 
 lint: configure
 	tools/install_packages.sh lint
-	git ls-files '*.cpp' | xargs -P $(JOBS) -n 4 clang-tidy --quiet -p build/$(PRESET)
+	tools/lint.py build/$(PRESET) --jobs $(JOBS)
 
 install: build
 	cmake --install build/$(PRESET) --prefix $(PREFIX)
