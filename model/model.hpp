@@ -87,8 +87,9 @@ class Model {
   /// Continues from a record. Throws std::invalid_argument, with the reason, when a parameter is out of range
   /// or the grid step another than theirs, a number is not finite or beyond what a model can hold
   /// (docs/native_format.md, "Limits"), a perimeter is not valid, an identity is 0 or occurs twice, a shared
-  /// edge has no partner or joins parallel planes, or a segment is confirmed that is not an initial one. The laws hold for what
-  /// follows, but later calls may give other results than on the recorded model; from_state() keeps these.
+  /// edge has no partner or joins parallel planes, or a segment is confirmed that is not an initial one. The
+  /// laws hold for what follows, but later calls may give other results than on the recorded model;
+  /// from_state() keeps these.
   explicit Model(const ModelRecord&);
   ~Model();
   Model(Model&&) noexcept;
