@@ -197,7 +197,11 @@ int ModelRun::write(const model::Model& model) {
   const Summary summary = summarise_run(model, record);
   if (!args_.json.empty()) outputs.attempt(args_.json, [&] { save_text(args_.json, to_json(summary)); });
   report(summary);
-  if (!keeper_.failure().empty()) outputs.add(keeper_.failure() + ", so that there is no last checkpoint");
+  if (!keeper_.failure().empty()) {
+    const bool written = !outputs.failed();
+    outputs.add(keeper_.failure() + (written ? "; the model is written, but not the last checkpoint"
+                                             : "; nor is the last checkpoint written"));
+  }
   if (!summary.damage.empty()) {
     const std::string damage = summary.damage + "; what was read before it is modelled";
     if (!outputs.failed()) throw io::InputError(damage);

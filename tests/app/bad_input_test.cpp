@@ -112,7 +112,7 @@ TEST_F(BadInput, RecordsThatAreNoPointAreCounted) {
 }
 
 TEST_F(BadInput, NothingButBadRecords) {
-  expect_refused(model(write("n.xyz", "nan nan nan 0 0 1\n1 2 3 0 0 0\n")), "no point");
+  expect_refused(model(write("n.xyz", "nan nan nan 0 0 1\n1 inf 3 0 0 1\n")), "no point");
 }
 
 TEST_F(BadInput, NoAxesAndTooFewPointsToFindThem) {

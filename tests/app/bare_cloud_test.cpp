@@ -104,8 +104,9 @@ TEST_F(BareCloud, NormalsThatAreNotOrientedCanBePassedOver) {
   expect_refused(run(arguments), "--viewpoint");
 }
 
+/// A hundred thousand points are held in memory.
 TEST_F(BareCloud, NowhereToSpool) {
-  const std::string cloud = bare("bare.xyz", "cube", 1000);
+  const std::string cloud = bare("bare.xyz", "cube", 120'000);
   expect_refused(run(model("-", "m"), {"", {{"TMPDIR", "/nonexistent"}}, cloud}), "TMPDIR");
 }
 

@@ -258,11 +258,11 @@ TEST_F(Checkpoints, AreAskedForInFull) {
   expect_refused(run({"model", scan_file, "-o", model, "--checkpoint", path("no/such/c")}), "no/such");
   expect_refused(run({"model", scan_file, "-o", model, "--checkpoint", "/proc/c"}), "/proc/c");
   expect_refused(run({"model", scan_file, "-o", model, "--checkpoint", path("")}), "folder");
-  expect_refused(run({"model", scan_file, "-o", model, "--checkpoint", model}), "another file");
+  expect_refused(run({"model", scan_file, "-o", model, "--checkpoint", model}), "same file");
   const std::string before = read(scan_file);
   expect_refused(run({"model", scan_file, "-o", model, "--checkpoint", write("mine.txt", "text")}),
                  "mine.txt");
-  expect_refused(run({"model", scan_file, "-o", model, "--checkpoint", scan_file}), "another file");
+  expect_refused(run({"model", scan_file, "-o", model, "--checkpoint", scan_file}), "same file");
   expect_refused(run({"model", scan_file, "-o", model, "--checkpoint", "/dev/full", "--resume"}),
                  "/dev/full");
   EXPECT_EQ(read(scan_file), before);

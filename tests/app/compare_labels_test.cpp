@@ -124,7 +124,7 @@ TEST_F(CompareLabels, BadInput) {
   expect_refused(run({"compare", "--labels", found, found, "--faces", "exact"}), "--labels");
   expect_refused(run({"compare", "--labels", found, found, "--polygons", found}), "found.txt");
   expect_refused(run({"compare", found, found, "--overlap", "0.9"}), "--labels");
-  expect_refused(run({"compare", "--labels", "-", "-"}), "only one");
+  expect_refused(run({"compare", "--labels", "-", "-"}), "only once");
 }
 
 }  // namespace
