@@ -52,7 +52,8 @@ int run_again(const FollowArguments& args) {
     progress.step(++sets);
     if (args.check_every > 0 && sets % args.check_every == 0) judge.judge_model(model, sets);
   }
-  model.finish(interrupted);
+  const bool was_interrupted = reader.is_whole() && reader.end().reason == "interrupted";
+  if (!was_interrupted) model.finish(interrupted);  // else its model was not finished, either
   summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   progress.clear();
   if (!reader.is_whole() && !interrupted())

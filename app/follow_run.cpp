@@ -40,9 +40,17 @@ FollowOutcome FollowRun::go(const std::function<void(const FollowStep&)>& look) 
   outcome.ended = go_on(outcome, look);
   outcome.marks = follower_->marks();
   outcome.stuck_sensors = watch_.stuck();
-  model_.finish(interrupted);
-  if (interrupted()) outcome.ended = "interrupted";
+  if (outcome.ended != "interrupted") finish(outcome);
   return outcome;
+}
+
+/// A run that is interrupted here, too, keeps the model of its last set, which a replay comes to as well.
+void FollowRun::finish(FollowOutcome& outcome) {
+  const std::string before = model_.state();
+  model_.finish(interrupted);
+  if (!interrupted()) return;
+  model_ = model::Model::from_state(before);
+  outcome.ended = "interrupted";
 }
 
 /// Without the readings of stuck sensors.

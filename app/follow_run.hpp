@@ -41,7 +41,7 @@ class FollowRun {
   /// The setup must outlive it. Throws UsageError when the model's parameters or initial faces make no sense.
   explicit FollowRun(const FollowSetup&);
 
-  /// Steps until the follower is done, the sets or the time are used up, or the run is interrupted; then
+  /// Steps until the follower is done, the sets or the time are used up, or the run is interrupted; else
   /// finishes the model. look(step) is called after each set. Throws UsageError when the start senses no
   /// surface.
   FollowOutcome go(const std::function<void(const FollowStep&)>& look);
@@ -50,6 +50,7 @@ class FollowRun {
 
  private:
   simulation::Sensed sense(const kinematics::Configuration& at);
+  void finish(FollowOutcome&);
   std::string go_on(FollowOutcome&, const std::function<void(const FollowStep&)>& look);
 
   const FollowSetup& setup_;
