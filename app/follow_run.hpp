@@ -41,9 +41,9 @@ class FollowRun {
   /// The setup must outlive it. Throws UsageError when the model's parameters or initial faces make no sense.
   explicit FollowRun(const FollowSetup&);
 
-  /// Steps until the follower is done, the sets or the time are used up, or the run is interrupted; else
-  /// finishes the model. look(step) is called after each set. Throws UsageError when the start senses no
-  /// surface.
+  /// Steps until the follower is done, the sets or the time are used up, or the run is interrupted; and then,
+  /// unless it was interrupted, finishes the model. look(step) is called after each set. Throws UsageError
+  /// when the start senses no surface.
   FollowOutcome go(const std::function<void(const FollowStep&)>& look);
 
   const model::Model& model() const { return model_; }
