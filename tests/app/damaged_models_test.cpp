@@ -24,8 +24,13 @@ namespace {
 using model::testing::scanned;
 using simulation::ScanOptions;
 
-constexpr double kLongest = 5;           ///< seconds of processor time
-constexpr long kMostMemory = 1L << 20;   ///< KiB, of the whole program
+#if defined(__SANITIZE_ADDRESS__)
+constexpr std::uint64_t kSlower = 10;  ///< with sanitizers
+#else
+constexpr std::uint64_t kSlower = 1;
+#endif
+constexpr double kLongest = 5 * kSlower;  ///< seconds of processor time
+constexpr long kMostMemory = 1L << 20;    ///< KiB, of the whole program
 constexpr unsigned kGivenUpAfter = 120;  ///< seconds; then the mutant's file is left for whoever looks for it
 
 /// What a command printed is not asked for.
@@ -121,7 +126,7 @@ class DamagedModels : public limpet::testing::TemporaryFolder {
                        std::uint64_t usually,
                        const std::function<void(const std::string& file, std::uint64_t seed)>& judge) {
     const std::uint64_t first = model::testing::wanted("LIMPET_SEED", 20261129),
-                        count = model::testing::wanted("LIMPET_MUTANTS", usually);
+                        count = model::testing::wanted("LIMPET_MUTANTS", usually / kSlower);
     RecordProperty("seed", std::to_string(first));
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
       const auto& [name, bytes] = originals[seed % originals.size()];
@@ -179,9 +184,10 @@ TEST_F(DamagedModels, NativeFiles) {
   }
   int drawn = 0, sound = 0;
   for_each_mutant(originals, 200, [&](const std::string& file, std::uint64_t seed) {
-    const bool is_drawn = draws(file, seed % 2 == 0 ? "png" : "svg"), is_compared = compares(file, "cube"),
-               is_sound = checks(file);
-    EXPECT_EQ(is_drawn, is_compared);
+    const bool is_drawn = draws(file, seed % 2 == 0 ? "png" : "svg"), is_sound = checks(file);
+    if (seed % kSlower == 0) {
+      EXPECT_EQ(compares(file, "cube"), is_drawn);
+    }
     drawn += is_drawn;
     sound += is_sound;
   });
@@ -207,7 +213,8 @@ TEST_F(DamagedModels, Meshes) {
   add("text.stl");
   int compared = 0, known = 0;
   for_each_mutant(originals, 150, [&](const std::string& file, std::uint64_t seed) {
-    compared += seed % 2 == 0 ? compares(file, "cube") : compares(path("s0.off"), file);
+    if (seed % kSlower == 0)
+      compared += seed % 7 < 4 ? compares(file, "cube") : compares(path("s0.off"), file);
     draws(file, seed % 2 == 0 ? "svg" : "png");
     known += is_known_beforehand(file);
   });
