@@ -133,7 +133,8 @@ const char* fault_of(const MomentsRecord& m) {
   }
   for (const Int128 product : m.product) {
     if (product == lowest || sized(product) > largest) return "has too many points";
-    if (sized(product) > m.count * squared_steps) return "has sums that no points have";
+    if (m.count < largest / squared_steps && sized(product) > m.count * squared_steps)
+      return "has sums that no points have";
   }
   return nullptr;
 }

@@ -51,6 +51,9 @@ TEST(Record, AModelIsMadeOfOneThatIsWhole) {
   ASSERT_FALSE(whole().point_segments.front().raw.empty());
   EXPECT_EQ(refusal_of(whole()), "");
   EXPECT_EQ(testing::bytes(Model(whole()).record()), testing::bytes(whole()));
+  ModelRecord many = whole();  // so many that 2^96 for each would not fit 128 bits
+  polygon(many).moments.count = std::int64_t{1} << 40;
+  EXPECT_EQ(refusal_of(many), "");
 }
 
 TEST(Record, WhatIsNotFiniteOrBeyondTheGridIsRefused) {
