@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limpet/app/arguments.hpp>
 #include <limpet/io/mesh_writer.hpp>
@@ -87,18 +88,25 @@ void FileRoles::require_outputs() const {
 
 void FileRoles::require_apart() const {
   require_outputs();
+  std::vector<File> files = files_;
+  const auto to_standard_output = [](const File& file) { return file.written && file.path == "-"; };
+  if (std::none_of(files.begin(), files.end(), to_standard_output))
+    files.push_back({"what is said", "-", true});
   std::vector<std::optional<Identity>> identities;
-  for (const File& file : files_) identities.push_back(identity_of(file.path, file.written));
-  for (std::size_t i = 0; i < files_.size(); ++i)
+  for (const File& file : files) identities.push_back(identity_of(file.path, file.written));
+  for (std::size_t i = 0; i < files.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      const File &a = files_[j], &b = files_[i];
+      const File &a = files[j], &b = files[i];
       const bool same_stream = a.path == "-" && b.path == "-" && a.written == b.written;
       if (!same_stream && (!identities[i] || identities[i] != identities[j])) continue;
       const std::string both =
           words_for(a.role, a.path, a.written) + " and " + words_for(b.role, b.path, b.written);
-      if (a.written || b.written)
-        throw UsageError(both + " are the same file; give " + (b.written ? b.role : a.role) +
-                         " another name");
+      if (a.written || b.written) {
+        const std::string remedy = b.path == "-" && a.path != "-"
+                                       ? "send standard output elsewhere"
+                                       : "give " + (b.written ? b.role : a.role) + " another name";
+        throw UsageError(both + " are the same file; " + remedy);
+      }
       struct stat found;
       const bool once = same_stream || (::stat(a.path.c_str(), &found) == 0 && S_ISFIFO(found.st_mode));
       if (once) throw UsageError(both + " are the same, which can be read only once");

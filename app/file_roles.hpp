@@ -22,9 +22,9 @@ class FileRoles {
   void writes_model(const std::string& role, const std::string& path);
 
   /// Refuses an output that cannot be written, that is one of the inputs or another output, by whatever names
-  /// (links, hard links, ./), or that would replace a side file of another program; and standard input where
-  /// it is to be read twice. Devices, as /dev/null, may be named again and again. Nothing is changed.
-  /// Throws UsageError, io::OutputError.
+  /// (links, hard links, ./) and be it the file to which standard output goes, or that would replace a side
+  /// file of another program; and standard input where it is to be read twice. Devices, as /dev/null, may be
+  /// named again and again. Nothing is changed. Throws UsageError, io::OutputError.
   void require_apart() const;
 
  private:

@@ -36,8 +36,9 @@ void save_models(const FollowArguments& args, const model::Model& model, bool in
 
 int save_result(const FollowArguments& args, FollowSummary summary, const model::Model& model,
                 const RunJudge& judge, Outputs& outputs) {
-  const model::ModelRecord record = model.record();
-  summary.model = summarise(record, model.open_edges());
+  const bool was_interrupted = summary.run.ended == "interrupted";
+  summary.model =
+      summarise(model.record(), was_interrupted ? std::vector<model::OpenEdge>() : model.open_edges());
   summary.model.violations = judge.violations();
   summary.model.seconds = summary.seconds;
   if (!args.json.empty()) outputs.attempt(args.json, [&] { save_text(args.json, to_json(summary)); });

@@ -126,7 +126,7 @@ void ModelRun::read_all(model::Model& model) {
     progress.step(given_);
   }
   // The state before finish(): a run that is ended there goes on from here.
-  if (sets_ > 0) keep_checkpoint(model);
+  if (sets_ > 0 && !(keeper_.due(sets_) && keeper_.failure().empty())) keep_checkpoint(model);
   if (interrupted() && !set.empty()) give(model, set);
   if (!interrupted()) model.finish(interrupted);
   interrupted_ = interrupted();
@@ -228,7 +228,7 @@ void ModelRun::save(const model::Model& model, const model::ModelRecord& record,
   for (const std::string& path : args_.models) outputs.attempt(path, [&] { io::save_model(path, record); });
   if (!args_.labels.empty())
     outputs.attempt(args_.labels, [&] { save_text(args_.labels, skipped_.label_lines(model.labels())); });
-  if (args_.stages > 0) outputs.attempt("--stages", [&] { stages_.save(args_.models.front(), record); });
+  stages_.save(args_.models.front(), record, outputs);
   if (interrupted_)
     std::fprintf(stderr, "limpet: interrupted after %s points; the model so far is written\n",
                  io::grouped(record.points).c_str());
@@ -247,7 +247,7 @@ void ModelRun::report(const Summary& summary) const {
   std::fprintf(for_people(args_), "%s\n", text.c_str());
 }
 
-void ModelRun::warn_of_axes() {
+void ModelRun::warn_of_axes() const {
   std::fprintf(stderr,
                "limpet: warning: all normals or axes that %s says are zero; it is read as one without\n",
                scan_.name().c_str());

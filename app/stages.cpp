@@ -2,9 +2,9 @@
 #include <limpet/app/stages.hpp>
 
 #include <algorithm>
+#include <limpet/app/arguments.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/native.hpp>
-#include <limpet/io/output_file.hpp>
 #include <limpet/io/text.hpp>
 #include <sstream>
 #include <utility>
@@ -64,12 +64,11 @@ std::vector<std::string> Stages::names(const std::string& path, int count) {
   return names;
 }
 
-std::vector<std::string> Stages::save(const std::string& path, const model::ModelRecord& final_model) const {
-  std::vector<std::string> names = Stages::names(path, count_);
-  for (int i = 1; i <= count_; ++i) {
-    const std::string& name = names[static_cast<std::size_t>(i) - 1];
-    if (i == count_ || kept_.empty()) {
-      io::save_native(name, final_model);
+void Stages::save(const std::string& path, const model::ModelRecord& final_model, Outputs& outputs) const {
+  int i = 0;
+  for (const std::string& name : names(path, count_)) {
+    if (++i == count_ || kept_.empty()) {
+      outputs.attempt(name, [&] { io::save_native(name, final_model); });
       continue;
     }
     // The kept one nearest to the i-th part of the way.
@@ -77,11 +76,8 @@ std::vector<std::string> Stages::save(const std::string& path, const model::Mode
     const auto nearest = std::min_element(kept_.begin(), kept_.end(), [&](const auto& a, const auto& b) {
       return std::abs(a.points - wanted) < std::abs(b.points - wanted);
     });
-    io::OutputFile file(name);
-    file.write(nearest->native);
-    file.close();
+    outputs.attempt(name, [&] { save_text(name, nearest->native); });
   }
-  return names;
 }
 
 }  // namespace limpet::app

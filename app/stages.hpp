@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limpet/app/outputs.hpp>
 #include <limpet/model/model.hpp>
 #include <string>
 #include <string_view>
@@ -20,8 +21,8 @@ class Stages {
   /// The names of the `count` models that save() writes beside `path`.
   static std::vector<std::string> names(const std::string& path, int count);
   /// Saves `count` models in the native format beside `path`: cube.limpet gives cube.stage1.limpet and so on;
-  /// the last is `final_model`. Returns their names. Errors: io::OutputError.
-  std::vector<std::string> save(const std::string& path, const model::ModelRecord& final_model) const;
+  /// the last is `final_model`.
+  void save(const std::string& path, const model::ModelRecord& final_model, Outputs& outputs) const;
 
   /// What has been kept so far, as text, and the way back. restore() throws io::InputError when the text is
   /// no such state. Precondition of restore(): this object is new, with the same count.

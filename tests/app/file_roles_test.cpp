@@ -186,6 +186,9 @@ TEST_F(FileRoles, StandardStreamsHaveOneUse) {
   expect_refused(run({"compare", "--labels", "-", "-"}), "only once");
   expect_refused(run({"model", path("scan.ply"), "-o", path("m.off"), "--labels", "-", "--json", "-"}),
                  "same file");
+  // Standard output is a file here, and what is said there would be lost.
+  expect_refused(run({"model", path("scan.ply"), "-o", path("m.off"), "--json", path("stdout")}),
+                 "same file");
   testing::Surroundings from_scan;
   from_scan.input = path("scan.ply");
   expect_refused(run({"model", "-", "-o", path("m.off"), "--json", path("scan.ply")}, from_scan),

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "../fuzz/tokens.hpp"
+
 namespace limpet::app::testing {
 
 /// Damages a file as accidents and malice do: bytes, numbers (of text, and the four or eight bytes of binary
@@ -22,9 +24,7 @@ class Mutator {
   }
 
  private:
-  struct Span {
-    std::size_t begin, length;
-  };
+  using Span = fuzz::Span;
 
   void damage(std::string& bytes) {
     switch (random_.below(12)) {
@@ -54,18 +54,8 @@ class Mutator {
 
   std::size_t any(const std::string& bytes) { return random_.below(bytes.size()); }
 
-  static std::vector<Span> pieces(const std::string& bytes, const char* between) {
-    std::vector<Span> spans;
-    for (std::size_t i = 0; i < bytes.size();) {
-      const std::size_t end = std::min(bytes.find_first_of(between, i), bytes.size());
-      if (end > i) spans.push_back({i, end - i});
-      i = end + 1;
-    }
-    return spans;
-  }
-
   void damage_lines(std::string& bytes) {
-    const std::vector<Span> lines = pieces(bytes, "\n");
+    const std::vector<Span> lines = fuzz::split(bytes, "\n");
     if (lines.empty()) return;
     const Span at = lines[random_.below(lines.size())], other = lines[random_.below(lines.size())];
     const std::string line = bytes.substr(at.begin, at.length + 1),
@@ -89,7 +79,7 @@ class Mutator {
   }
 
   void damage_number(std::string& bytes) {
-    const std::vector<Span> words = pieces(bytes, " \n\t/");
+    const std::vector<Span> words = fuzz::split(bytes, " \n\t/");
     std::vector<Span> numbers;
     for (const Span& word : words)
       if (std::strchr("-.0123456789", bytes[word.begin])) numbers.push_back(word);

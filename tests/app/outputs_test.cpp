@@ -37,6 +37,13 @@ TEST_F(OutputFiles, OneThatFailsDoesNotLoseTheOthers) {
   EXPECT_EQ(run({"check", path("m.limpet")}).code, 0);
 }
 
+TEST_F(OutputFiles, AStageThatFailsDoesNotLoseTheOthers) {
+  fs::create_symlink("/dev/full", path("m.stage1.limpet"));
+  expect_refused(run(model({"-o", path("m.limpet"), "--stages", "3"})), "m.stage1.limpet: cannot be written");
+  for (const char* name : {"m.limpet", "m.stage2.limpet", "m.stage3.limpet"})
+    EXPECT_TRUE(exists(name)) << name;
+}
+
 TEST_F(OutputFiles, EachFailureIsNamed) {
   fs::create_symlink("/dev/full", path("l"));
   fs::create_symlink("/dev/full", path("j"));

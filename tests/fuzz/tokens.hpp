@@ -9,6 +9,22 @@
 
 namespace limpet::fuzz {
 
+/// A part of a text.
+struct Span {
+  std::size_t begin, length;
+};
+
+/// The parts of a text between any of these characters, none of them empty.
+inline std::vector<Span> split(const std::string& text, const char* at) {
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto end = std::min(text.find_first_of(at, i), text.size());
+    if (end > i) spans.push_back({i, end - i});
+    i = end + 1;
+  }
+  return spans;
+}
+
 /// Changes text so that its grammar mostly stays: numbers are moved a little, exchanged with others of the
 /// text or replaced by awkward ones; lines are taken away, doubled or exchanged. Mutations byte by byte
 /// hardly ever get past a strict reader.
@@ -23,20 +39,6 @@ class TokenMutator {
   }
 
  private:
-  struct Span {
-    std::size_t begin, length;
-  };
-
-  static std::vector<Span> split(const std::string& text, const char* at) {
-    std::vector<Span> spans;
-    for (std::size_t i = 0; i < text.size();) {
-      const auto end = std::min(text.find_first_of(at, i), text.size());
-      if (end > i) spans.push_back({i, end - i});
-      i = end + 1;
-    }
-    return spans;
-  }
-
   Span any(const std::vector<Span>& spans) {
     return spans[static_cast<std::size_t>(random_.whole(0, static_cast<std::int64_t>(spans.size()) - 1))];
   }
