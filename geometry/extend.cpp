@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMaxAttempts = 12;
 
 /// A possible end of the section: a vertex, or a point that divides the edge next to it.
-struct SectionEnd {
+struct ExtensionEnd {
   Slot vertex = kNoSlot;      ///< the last vertex kept before the section, or the first one after it
   std::optional<Point2> cut;  ///< the end itself when it is not that vertex
   double length = 0;          ///< along the perimeter from the nearest point
@@ -36,13 +36,13 @@ std::optional<Point2> leaving_point(Point2 inner, Point2 outer, Point2 q, double
   return p;
 }
 
-class SectionSearch {
+class ExtensionSearch {
  public:
-  SectionSearch(const Polygon& polygon, Point2 q, double gap, const PerimeterPoint& nearest)
+  ExtensionSearch(const Polygon& polygon, Point2 q, double gap, const PerimeterPoint& nearest)
       : polygon_(polygon), q_(q), gap_(gap), nearest_(nearest) {}
 
-  std::vector<SectionEnd> ends(bool forward) const {
-    std::vector<SectionEnd> result;
+  std::vector<ExtensionEnd> ends(bool forward) const {
+    std::vector<ExtensionEnd> result;
     result.reserve(8);
     const std::size_t limit = polygon_.cycle(polygon_.node(nearest_.edge).cycle).size;
     Slot edge = nearest_.edge;
@@ -76,7 +76,7 @@ class SectionSearch {
   const PerimeterPoint& nearest_;
 };
 
-Edit edit_for(const SectionEnd& p1, const SectionEnd& p2, Point2 q) {
+Edit edit_for(const ExtensionEnd& p1, const ExtensionEnd& p2, Point2 q) {
   Chain chain{p1.vertex, {}, p2.vertex};
   if (p1.cut) chain.via.push_back({*p1.cut});
   chain.via.push_back({q});
@@ -93,7 +93,7 @@ Extension extend_to_point(Polygon& polygon, Point2 q, double gap, EdgeIds& ids) 
   const auto nearest = nearest_perimeter_point(polygon, q, gap);
   if (!nearest) return Extension::refused;
   if (polygon.node(nearest->edge).shared) return Extension::shared;
-  const SectionSearch search(polygon, q, gap, *nearest);
+  const ExtensionSearch search(polygon, q, gap, *nearest);
   const auto back = search.ends(false), forward = search.ends(true);
   const std::size_t size = polygon.cycle(polygon.node(nearest->edge).cycle).size;
 

@@ -11,7 +11,7 @@
 
 namespace limpet::io {
 namespace {
-constexpr std::size_t kBufferBytes = 1 << 20;
+constexpr std::size_t kReadBytes = 1 << 20;
 }
 
 ByteSource::ByteSource(const std::string& path, std::function<bool()> stop)
@@ -27,7 +27,7 @@ ByteSource::ByteSource(const std::string& path, std::function<bool()> stop)
     throw InputError(name_, "is a folder; give the name of a file in it");
   }
   waits_ = stop_ && !S_ISREG(found.st_mode);
-  buffer_.resize(kBufferBytes);
+  buffer_.resize(kReadBytes);
 }
 
 ByteSource::~ByteSource() {
@@ -101,7 +101,7 @@ bool ByteSource::line(std::string_view& text) {
     if (found == nullptr) {
       searched = there;
       if (fill()) continue;
-      if (end_ - begin_ == kBufferBytes) {
+      if (end_ - begin_ == kReadBytes) {
         throw InputError(name_ + ": line " + std::to_string(line_number_ + 1),
                          "longer than 1 MiB; is this a binary file?");
       }

@@ -19,7 +19,7 @@
 namespace limpet::io {
 namespace {
 
-constexpr std::size_t kBufferBytes = 1 << 20;
+constexpr std::size_t kWriteBytes = 1 << 20;
 constexpr int kAttempts = 100;
 
 std::string name_of(int file) { return "/proc/self/fd/" + std::to_string(file); }
@@ -75,7 +75,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
       if (file_ < 0) fail("cannot be written");
       take_over_permissions();
     }
-    buffer_.reserve(kBufferBytes);
+    buffer_.reserve(kWriteBytes);
   } catch (...) {
     abandon();
     throw;
@@ -214,8 +214,8 @@ void OutputFile::flush() {
 }
 
 void OutputFile::write(std::string_view bytes) {
-  if (buffer_.size() + bytes.size() > kBufferBytes) flush();
-  if (bytes.size() > kBufferBytes) {
+  if (buffer_.size() + bytes.size() > kWriteBytes) flush();
+  if (bytes.size() > kWriteBytes) {
     put(bytes);
   } else {
     buffer_ += bytes;

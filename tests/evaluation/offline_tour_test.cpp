@@ -78,7 +78,7 @@ TEST(GreedyCover, CoversWhatCanBeAndNothingIsSpare) {
 
 // ---- Tours -------------------------------------------------------------------------------------
 
-double length_of(const ShortTour& tour) { return std::accumulate(tour.legs.begin(), tour.legs.end(), 0.0); }
+double legs_of(const ShortTour& tour) { return std::accumulate(tour.legs.begin(), tour.legs.end(), 0.0); }
 
 void expect_visits_all(const ShortTour& tour, std::size_t places) {
   EXPECT_TRUE(tour.lonely.empty());
@@ -96,7 +96,7 @@ TEST(ShortTour, AlongALineIsTheLine) {
   for (const int k : {0, 7, 3, 9, 1, 5, 8, 2, 6, 4}) places.emplace_back(0.1 * k, 0.5, 1.25);
   const ShortTour tour = short_tour(places, *world.surface, *world.space);
   expect_visits_all(tour, places.size());
-  EXPECT_NEAR(length_of(tour), 0.9, 1e-12);
+  EXPECT_NEAR(legs_of(tour), 0.9, 1e-12);
 }
 
 TEST(ShortTour, OverAGridIsNearTheShortest) {
@@ -110,8 +110,8 @@ TEST(ShortTour, OverAGridIsNearTheShortest) {
                                          [](const auto& a, const auto& b) { return a.sum() < b.sum(); }));
   const ShortTour tour = short_tour(places, *world.surface, *world.space);
   expect_visits_all(tour, places.size());
-  EXPECT_GE(length_of(tour), 9.9 - 1e-9);
-  EXPECT_LE(length_of(tour), 9.9 * 1.12);
+  EXPECT_GE(legs_of(tour), 9.9 - 1e-9);
+  EXPECT_LE(legs_of(tour), 9.9 * 1.12);
 }
 
 TEST(ShortTour, GoesRoundWhatIsInTheWay) {
@@ -121,8 +121,8 @@ TEST(ShortTour, GoesRoundWhatIsInTheWay) {
     for (const double x : {0.4, 0.5, 0.6}) places.emplace_back(x, 0.5, z);
   const ShortTour tour = short_tour(places, *world.surface, *world.space);
   expect_visits_all(tour, places.size());
-  EXPECT_GE(length_of(tour), 0.2 + 1.0 + 0.2);
-  EXPECT_LE(length_of(tour), 2.2);
+  EXPECT_GE(legs_of(tour), 0.2 + 1.0 + 0.2);
+  EXPECT_LE(legs_of(tour), 2.2);
   for (std::size_t i = 0; i + 1 < tour.order.size(); ++i)
     EXPECT_GE(tour.legs[i], (places[tour.order[i + 1]] - places[tour.order[i]]).norm() - 1e-12);
 }

@@ -13,8 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLambda = 0.05;
-
 /// A small face above the plane z = 0, on both sides of which there is room.
 Cycle hidden_by() { return rectangle(0.03, -1, 0.06, 2, 0.2); }
 

@@ -5,6 +5,7 @@
 #include <limpet/survey/random.hpp>
 
 #include "initial_model.hpp"
+#include "random_places.hpp"
 
 namespace limpet::following {
 namespace {
@@ -12,10 +13,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kLeast = 0.05;
-
-Vector3d random_place(survey::Random& random, double size) {
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
 
 /// The distance of a place from obstacles that are all points, by trying all.
 double nearest(const std::vector<model::SensorPoint>& points, const Vector3d& p) {

@@ -8,12 +8,12 @@
 #include <limpet/following/thesis/control_point_motion.hpp>
 #include <limpet/survey/random.hpp>
 
+#include "random_places.hpp"
+
 namespace limpet::following {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d random_vector(survey::Random& random) { return {random.normal(), random.normal(), random.normal()}; }
 
 TEST(ControlPointMotion, KeepsItsLawsForAnySituation) {
   survey::Random random(1);

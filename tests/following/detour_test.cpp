@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLambda = 0.05, kSpacing = kLambda / 2;
+constexpr double kSpacing = kLambda / 2;
 
 /// Faces far below, and readings in the way.
 struct Obstacles {

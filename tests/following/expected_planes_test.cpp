@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLambda = 0.05, kRange = 4 * kLambda, kLeastCosine = 0.34;
+constexpr double kRange = 4 * kLambda, kLeastCosine = 0.34;
 const Vector3d kUp(0, 0, 1);
 
 /// A ray from a place to another one, and on to its range.

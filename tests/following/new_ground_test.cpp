@@ -17,7 +17,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kLambda = 0.05, kFar = 3.8 * kLambda;
+constexpr double kFar = 3.8 * kLambda;
 const Vector3d kUp(0, 0, 1);
 
 /// What is known of a plane.

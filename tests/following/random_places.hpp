@@ -10,6 +10,12 @@
 
 namespace limpet::following {
 
+inline constexpr double kLambda = 0.05;
+inline constexpr double kStep = kLambda;  ///< of a travel
+
+inline Eigen::Vector3d random_vector(survey::Random& random) {
+  return {random.normal(), random.normal(), random.normal()};
+}
 inline Eigen::Vector3d random_place(survey::Random& random, double size) {
   const double x = random.uniform(-size, size), y = random.uniform(-size, size);
   return {x, y, random.uniform(-size, size)};

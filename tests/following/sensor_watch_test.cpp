@@ -7,16 +7,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "random_places.hpp"
 #include "simulated_run.hpp"
 
 namespace limpet::following {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kLambda = 0.05;
-
-Vector3d random_vector(survey::Random& random) { return {random.normal(), random.normal(), random.normal()}; }
 
 TEST(SensorWatch, FindsASensorThatSaysTheSameEverywhere) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLambda = 0.05, kStep = kLambda;
-
 /// A point robot at a place, that knows of a model and of some readings.
 struct Situation {
   model::Model model;

@@ -4,13 +4,12 @@
 #include <limpet/following/frontier/targets_internal.hpp>
 
 #include "initial_model.hpp"
+#include "random_places.hpp"
 
 namespace limpet::following::internal {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kLambda = 0.05;
 
 /// The part of a face's edge in the middle of its side towards +x.
 OpenPart right_side(const model::Model& model, model::SegmentId id, double x) {

@@ -13,7 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLambda = 0.05, kStep = kLambda;
 constexpr int kManyLooks = 3000;
 
 /// A robot that makes of each motion, once it is shortened to what is clear, what it will.

@@ -4,13 +4,12 @@
 #include <limpet/following/frontier/visited_internal.hpp>
 
 #include "initial_model.hpp"
+#include "random_places.hpp"
 
 namespace limpet::following::internal {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kLambda = 0.05;
 
 /// A robot that has gone along the x axis from 0 to 1, with nothing near.
 Visited gone_along_x(const model::Model& model) {

@@ -6,13 +6,13 @@
 namespace limpet::geometry {
 namespace {
 
-constexpr double kGap = 4096;
+constexpr double kBridgedGap = 4096;
 
 TEST(Bridge, JoinsTwoSquaresHalfAGapApart) {
   EdgeIds ids;
   Polygon a = make({rectangle(0, 0, 10000, 10000)}, ids);
   const Polygon b = make({rectangle(12048, 0, 22048, 10000)}, ids);
-  ASSERT_TRUE(bridge_polygons(a, b, kGap, ids));
+  ASSERT_TRUE(bridge_polygons(a, b, kBridgedGap, ids));
   EXPECT_EQ(outline(a), outline({cycle_of({{0, 0},
                                            {10000, 0},
                                            {12048, 0},
@@ -35,7 +35,7 @@ TEST(Bridge, ASmallSquareMeetsTheMiddleOfALongEdge) {
     EdgeIds ids;
     Polygon a = make(small_first ? small : large, ids);
     const Polygon before = a, b = make(small_first ? large : small, ids);
-    ASSERT_TRUE(bridge_polygons(a, b, kGap, ids));
+    ASSERT_TRUE(bridge_polygons(a, b, kBridgedGap, ids));
     EXPECT_EQ(judge_polygon(a), Verdict::valid);
     EXPECT_EQ(a.hole_count(), 0u);
     EXPECT_GE(area(a), area(before) + area(b) + 1000 * 1000);
@@ -52,7 +52,7 @@ TEST(Bridge, AnIslandInAHole) {
   Polygon ring = make({rectangle(0, 0, 60000, 60000), reversed(rectangle(10000, 10000, 50000, 50000))}, ids);
   const Polygon island = make({rectangle(12000, 12000, 30000, 30000)}, ids);
   const double before = area(ring) + area(island);
-  ASSERT_TRUE(bridge_polygons(ring, island, kGap, ids));
+  ASSERT_TRUE(bridge_polygons(ring, island, kBridgedGap, ids));
   EXPECT_EQ(judge_polygon(ring), Verdict::valid);
   EXPECT_EQ(ring.hole_count(), 1u);
   EXPECT_GT(area(ring), before);
@@ -64,7 +64,7 @@ TEST(Bridge, BringsTheOthersHolesAlong) {
   Polygon a = make({rectangle(0, 0, 10000, 10000)}, ids);
   const Polygon b =
       make({rectangle(12048, 0, 22048, 10000), reversed(rectangle(13000, 1000, 21000, 9000))}, ids);
-  ASSERT_TRUE(bridge_polygons(a, b, kGap, ids));
+  ASSERT_TRUE(bridge_polygons(a, b, kBridgedGap, ids));
   EXPECT_EQ(a.hole_count(), 1u);
   EXPECT_EQ(judge_polygon(a), Verdict::valid);
 }
@@ -73,7 +73,7 @@ TEST(Bridge, RefusesBeyondTheGapAndChangesNothing) {
   EdgeIds ids;
   Polygon a = make({rectangle(0, 0, 10000, 10000)}, ids);
   const Polygon before = a, b = make({rectangle(14097, 0, 22048, 10000)}, ids);
-  EXPECT_FALSE(bridge_polygons(a, b, kGap, ids));
+  EXPECT_FALSE(bridge_polygons(a, b, kBridgedGap, ids));
   EXPECT_TRUE(same_boundary(a, before));
 }
 
@@ -98,7 +98,7 @@ TEST(BridgeSelf, ClosesARingAndLeavesItsHole) {
   EdgeIds ids;
   for (const std::uint32_t vertex : {2u, 3u, 8u, 9u}) {
     Polygon c = make(open_ring(2000), ids);
-    ASSERT_TRUE(bridge_self(c, Slot{vertex}, kGap, ids)) << vertex;
+    ASSERT_TRUE(bridge_self(c, Slot{vertex}, kBridgedGap, ids)) << vertex;
     EXPECT_EQ(judge_polygon(c), Verdict::valid);
     EXPECT_EQ(c.hole_count(), 1u);
     EXPECT_EQ(c.locate({30000, 30000}), Polygon::Side::outside);
@@ -110,7 +110,8 @@ TEST(BridgeSelf, LeavesAWideMouthOpen) {
   EdgeIds ids;
   Polygon c = make(open_ring(5000), ids);
   const Polygon before = c;
-  for (std::uint32_t vertex = 0; vertex < 12; ++vertex) EXPECT_FALSE(bridge_self(c, Slot{vertex}, kGap, ids));
+  for (std::uint32_t vertex = 0; vertex < 12; ++vertex)
+    EXPECT_FALSE(bridge_self(c, Slot{vertex}, kBridgedGap, ids));
   EXPECT_TRUE(same_boundary(c, before));
 }
 
@@ -119,7 +120,7 @@ TEST(BridgeSelf, KeepsSharedEdges) {
   Cycles cycles = open_ring(2000);
   cycles[0][2].shared = cycles[0][8].shared = true;  // the mouth's two sides
   Polygon c = make(cycles, ids);
-  for (std::uint32_t vertex = 0; vertex < 12; ++vertex) bridge_self(c, Slot{vertex}, kGap, ids);
+  for (std::uint32_t vertex = 0; vertex < 12; ++vertex) bridge_self(c, Slot{vertex}, kBridgedGap, ids);
   const auto removed = c.take_removed();
   for (const std::uint32_t s : {2u, 8u})
     EXPECT_EQ(std::count(removed.begin(), removed.end(), EdgeId{s + 1}), 0);

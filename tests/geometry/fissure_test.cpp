@@ -9,20 +9,13 @@ namespace {
 
 using internal::FissureType;
 
-constexpr double kGap = 50;
-
-std::vector<std::pair<Slot, EdgeId>> all_edges(const Polygon& p) {
-  std::vector<std::pair<Slot, EdgeId>> edges;
-  for (std::uint32_t i = 0; i < p.slot_count(); ++i)
-    if (p.alive(Slot{i})) edges.emplace_back(Slot{i}, p.node(Slot{i}).edge);
-  return edges;
-}
+constexpr double kFilledGap = 50;
 
 struct Filled {
   std::size_t count = 0;
   Polygon result;
 };
-Filled filled(const Cycles& cycles, double gap = kGap) {
+Filled filled(const Cycles& cycles, double gap = kFilledGap) {
   EdgeIds ids;
   Filled f;
   f.result = make(cycles, ids);
@@ -41,39 +34,41 @@ constexpr Point2 kFar{-9999, -9999};
 
 TEST(FindFissure, TypeOneJoinsTheEndsOfANotch) {
   const Four v = {{{200, 0}, {180, -500}, {160, 0}, kFar}};
-  const auto f = find_fissure(FissureType::I, v, kGap);
+  const auto f = find_fissure(FissureType::I, v, kFilledGap);
   ASSERT_TRUE(f.has_value());
   EXPECT_EQ(f->first, 0u);
   EXPECT_EQ(f->last, 2u);
   EXPECT_FALSE(f->foot.has_value());
   EXPECT_FALSE(find_fissure(FissureType::I, v, 40).has_value());  // not below the gap
+  EXPECT_FALSE(find_fissure(FissureType::I, {{{160, 0}, {180, -500}, {200, 0}, kFar}},
+                            kFilledGap));  // a point, no notch
   EXPECT_FALSE(
-      find_fissure(FissureType::I, {{{160, 0}, {180, -500}, {200, 0}, kFar}}, kGap));  // a point, no notch
-  EXPECT_FALSE(find_fissure(FissureType::I, {{{160, 0}, {180, 0}, {200, 0}, kFar}}, kGap));  // straight on
+      find_fissure(FissureType::I, {{{160, 0}, {180, 0}, {200, 0}, kFar}}, kFilledGap));  // straight on
 }
 
 TEST(FindFissure, TypesTwoAndThreePutAFootOnTheLongerSide) {
   // The notch opens upwards; its right side ends low, its left side high.
-  const auto two = find_fissure(FissureType::II, {{{120, 100}, {100, 0}, {100, 900}, kFar}}, kGap);
+  const auto two = find_fissure(FissureType::II, {{{120, 100}, {100, 0}, {100, 900}, kFar}}, kFilledGap);
   ASSERT_TRUE(two.has_value());
   EXPECT_EQ(*two->foot, (Point2{100, 100}));
-  const auto three = find_fissure(FissureType::III, {{{100, 900}, {100, 0}, {80, 100}, kFar}}, kGap);
+  const auto three = find_fissure(FissureType::III, {{{100, 900}, {100, 0}, {80, 100}, kFar}}, kFilledGap);
   ASSERT_TRUE(three.has_value());
   EXPECT_EQ(*three->foot, (Point2{100, 100}));
   EXPECT_EQ(three->last, 2u);
   // 90 degrees and more is none.
-  EXPECT_FALSE(find_fissure(FissureType::II, {{{120, 0}, {100, 0}, {100, 900}, kFar}}, kGap));
+  EXPECT_FALSE(find_fissure(FissureType::II, {{{120, 0}, {100, 0}, {100, 900}, kFar}}, kFilledGap));
 }
 
 TEST(FindFissure, TypesFourToSixHaveAShortFloor) {
-  const auto four = find_fissure(FissureType::IV, {{{140, 500}, {140, 0}, {100, 0}, {100, 500}}}, kGap);
+  const auto four = find_fissure(FissureType::IV, {{{140, 500}, {140, 0}, {100, 0}, {100, 500}}}, kFilledGap);
   ASSERT_TRUE(four.has_value());
   EXPECT_EQ(four->last, 3u);
-  EXPECT_FALSE(find_fissure(FissureType::IV, {{{150, 500}, {150, 0}, {100, 0}, {100, 500}}}, kGap));  // floor
-  const auto five = find_fissure(FissureType::V, {{{140, 100}, {140, 0}, {100, 0}, {100, 500}}}, kGap);
+  EXPECT_FALSE(
+      find_fissure(FissureType::IV, {{{150, 500}, {150, 0}, {100, 0}, {100, 500}}}, kFilledGap));  // floor
+  const auto five = find_fissure(FissureType::V, {{{140, 100}, {140, 0}, {100, 0}, {100, 500}}}, kFilledGap);
   ASSERT_TRUE(five.has_value());
   EXPECT_EQ(*five->foot, (Point2{100, 100}));
-  const auto six = find_fissure(FissureType::VI, {{{140, 500}, {140, 0}, {100, 0}, {100, 100}}}, kGap);
+  const auto six = find_fissure(FissureType::VI, {{{140, 500}, {140, 0}, {100, 0}, {100, 100}}}, kFilledGap);
   ASSERT_TRUE(six.has_value());
   EXPECT_EQ(*six->foot, (Point2{140, 100}));
 }
@@ -149,7 +144,7 @@ TEST(Fill, SharedEdgesStay) {
     EdgeIds ids;
     Polygon p = make(cycles, ids);
     const EdgeId edge = p.vertices(p.cycles()[0])[static_cast<std::size_t>(k)].edge;
-    fill_fissures(p, all_edges(p), kGap, ids);
+    fill_fissures(p, all_edges(p), kFilledGap, ids);
     const auto removed = p.take_removed();
     EXPECT_EQ(std::count(removed.begin(), removed.end(), edge), 0);
   }
@@ -159,7 +154,7 @@ TEST(Fill, OnlyWhereEdgesAreFresh) {
   EdgeIds ids;
   Polygon p = make(plate({{520, 1000}, {500, 500}, {480, 1000}}), ids);
   const std::pair<Slot, EdgeId> bottom{Slot{0}, p.node(Slot{0}).edge};
-  EXPECT_EQ(fill_fissures(p, std::span(&bottom, 1), kGap, ids), 0u);
+  EXPECT_EQ(fill_fissures(p, std::span(&bottom, 1), kFilledGap, ids), 0u);
 }
 
 TEST(Fill, AHoleCollapses) {
@@ -193,13 +188,13 @@ TEST(Fill, ARingCloses) {
 
 TEST(Collapses, NarrowHolesOnly) {
   const auto hole = [](double w, double h) { return points_of(reversed(rectangle(0, 0, w, h))); };
-  EXPECT_TRUE(collapses(hole(40, 40), kGap));
-  EXPECT_TRUE(collapses(hole(40, 4000), kGap));
-  EXPECT_TRUE(collapses(hole(4000, 40), kGap));
-  EXPECT_FALSE(collapses(hole(60, 60), kGap));
-  EXPECT_FALSE(collapses(hole(4000, 60), kGap));
-  EXPECT_TRUE(collapses({{0, 0}, {20, 30}, {40, 0}}, kGap));
-  EXPECT_TRUE(collapses({}, kGap));
+  EXPECT_TRUE(collapses(hole(40, 40), kFilledGap));
+  EXPECT_TRUE(collapses(hole(40, 4000), kFilledGap));
+  EXPECT_TRUE(collapses(hole(4000, 40), kFilledGap));
+  EXPECT_FALSE(collapses(hole(60, 60), kFilledGap));
+  EXPECT_FALSE(collapses(hole(4000, 60), kFilledGap));
+  EXPECT_TRUE(collapses({{0, 0}, {20, 30}, {40, 0}}, kFilledGap));
+  EXPECT_TRUE(collapses({}, kFilledGap));
 }
 
 TEST(Fill, AreaNeverDecreases) {

@@ -30,14 +30,6 @@ inline Slot any_slot(const Polygon& p) {
 /// λ in grid steps: from hardly a step, through the size of the shapes, to what it is in the product.
 inline double any_gap() { return one_of(3) == 2 ? power_of_two(1, 13) : static_cast<double>(whole(2, 60)); }
 
-using EdgesInPlace = std::vector<std::pair<Slot, EdgeId>>;
-inline EdgesInPlace all_edges(const Polygon& p) {
-  EdgesInPlace edges;
-  for (std::uint32_t i = 0; i < p.slot_count(); ++i)
-    if (p.alive(Slot{i})) edges.emplace_back(Slot{i}, p.node(Slot{i}).edge);
-  return edges;
-}
-
 /// Some edges become shared ones. Returns their identities.
 inline std::vector<EdgeId> share_some(Polygon& p) {
   std::vector<EdgeId> shared;

@@ -8,7 +8,7 @@
 namespace limpet::geometry {
 namespace {
 
-constexpr double kGap = 4096;
+constexpr double kMergedGap = 4096;
 
 struct Merged {
   Merger outcome;
@@ -18,7 +18,7 @@ Merged merged(const Cycles& a, const Cycles& b) {
   EdgeIds ids;
   Merged m;
   m.before = m.result = make(a, ids);
-  m.outcome = merge_polygons(m.result, make(b, ids), kGap, ids);
+  m.outcome = merge_polygons(m.result, make(b, ids), kMergedGap, ids);
   EXPECT_EQ(judge_polygon(m.result), Verdict::valid);
   const bool changed = m.outcome == Merger::united || m.outcome == Merger::bridged;
   EXPECT_NE(changed, same_boundary(m.before, m.result));

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <limpet/geometry/judge.hpp>
 #include <limpet/geometry/measure.hpp>
@@ -21,6 +23,14 @@ using shapes::Cycles;
 using shapes::Random;
 using shapes::rectangle;
 using shapes::reversed;
+
+using EdgesInPlace = std::vector<std::pair<Slot, EdgeId>>;
+inline EdgesInPlace all_edges(const Polygon& p) {
+  EdgesInPlace edges;
+  for (std::uint32_t i = 0; i < p.slot_count(); ++i)
+    if (p.alive(Slot{i})) edges.emplace_back(Slot{i}, p.node(Slot{i}).edge);
+  return edges;
+}
 
 inline Polygon make(const Cycles& cycles, EdgeIds& ids) {
   auto polygon = Polygon::from_cycles(cycles, ids);

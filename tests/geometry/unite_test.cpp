@@ -7,13 +7,13 @@
 namespace limpet::geometry {
 namespace {
 
-constexpr double kGap = 40;
+constexpr double kUnitedGap = 40;
 
 struct Union {
   bool done = false;
   Polygon before, result;
 };
-Union united(const Cycles& a, const Cycles& b, double gap = kGap) {
+Union united(const Cycles& a, const Cycles& b, double gap = kUnitedGap) {
   EdgeIds ids;
   Union u;
   u.before = u.result = make(a, ids);
@@ -27,7 +27,7 @@ Union united(const Cycles& a, const Cycles& b, double gap = kGap) {
   return u;
 }
 
-void expect_union(const Cycles& a, const Cycles& b, const Cycles& result, double gap = kGap) {
+void expect_union(const Cycles& a, const Cycles& b, const Cycles& result, double gap = kUnitedGap) {
   for (const bool swapped : {false, true}) {
     const Union u = swapped ? united(b, a, gap) : united(a, b, gap);
     ASSERT_TRUE(u.done) << swapped;
@@ -127,8 +127,8 @@ TEST(Unite, APlugLeavesASlitThatCollapses) {
   // A hole of the first that reaches beyond the second's box is left to fissures.
   EdgeIds ids;
   Polygon p = make(frame, ids);
-  ASSERT_TRUE(unite(p, make({rectangle(90, 90, 180, 210)}, ids), kGap, ids));
-  fill_fissures(p, p.take_created(), kGap, ids);
+  ASSERT_TRUE(unite(p, make({rectangle(90, 90, 180, 210)}, ids), kUnitedGap, ids));
+  fill_fissures(p, p.take_created(), kUnitedGap, ids);
   EXPECT_EQ(outline(p), outline({rectangle(0, 0, 300, 300)}));
 }
 
@@ -212,7 +212,7 @@ TEST(Unite, EdgesKeepTheirIdentities) {
   auto square = rectangle(50, 50, 150, 150);
   square[1].shared = true;
   const Polygon b = make({square}, ids);
-  ASSERT_TRUE(unite(a, b, kGap, ids));
+  ASSERT_TRUE(unite(a, b, kUnitedGap, ids));
   std::vector<std::uint64_t> kept;
   for (const auto boundary = a.boundary(); const NewVertex& v : boundary[0]) {
     if (v.edge.value <= 8) kept.push_back(v.edge.value);
@@ -231,7 +231,7 @@ TEST(Unite, EdgesOutsideTheWindowAreLeftAlone) {
   const Polygon before = a;
   const Point2 v = a.at(a.cycles()[0].first);
   const Polygon b = make({rectangle(v.x - 500, v.y - 500, v.x + 500, v.y + 500)}, ids);
-  ASSERT_TRUE(unite(a, b, kGap, ids));
+  ASSERT_TRUE(unite(a, b, kUnitedGap, ids));
   EXPECT_EQ(judge_polygon(a), Verdict::valid);
   expect_identities_hold(before, a);
   expect_index_holds(a, random, 100);

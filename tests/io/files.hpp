@@ -36,6 +36,14 @@ inline ScanResult read_scan(const std::string& path, const ScanOptions& options 
   return result;
 }
 
+/// A file that is damaged, and what is to come of it.
+struct Damage {
+  const char* what;
+  std::string bytes;
+  std::size_t records;  ///< before the damage
+  const char* says;
+};
+
 /// The bytes of numbers as they lie in memory, or turned round.
 template <class Number>
 void put(std::string& bytes, Number value, bool big_endian = false) {

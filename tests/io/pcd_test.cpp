@@ -191,13 +191,6 @@ TEST_F(PcdTest, LzfCopiesMayReachIntoThemselves) {
       << "of a run that is cut, what is there";
 }
 
-struct Damage {
-  const char* what;
-  std::string bytes;
-  std::size_t records;
-  const char* says;
-};
-
 TEST_F(PcdTest, DamageIsNamedAfterTheRecordsBeforeIt) {
   const std::string block = columns(), whole = binary(), text = ascii();
   const auto changed = [&](const char* from, const char* to) {

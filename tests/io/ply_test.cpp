@@ -209,13 +209,6 @@ TEST_F(PlyTest, AByteOrderMarkDoesNotMatter) {
             2u);
 }
 
-struct Damage {
-  const char* what;
-  std::string bytes;
-  std::size_t records;
-  const char* says;
-};
-
 TEST_F(PlyTest, DamageIsNamedAfterTheRecordsBeforeIt) {
   const std::string head = "ply\nformat ascii 1.0\n", three = "1 2 3\n4 5 6\n7 8 9\n";
   std::string binary = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + kXyz + "end_header\n";

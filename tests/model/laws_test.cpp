@@ -23,7 +23,6 @@ using properties::about_zero;
 using properties::expect_law;
 using properties::one_of;
 using properties::power_of_two;
-using properties::Stream;
 using properties::streams;
 using properties::whole;
 
@@ -140,13 +139,14 @@ TEST(FitLaws, TranslationOnOneSideOfTheOriginKeepsAllButTheCentroidExactly) {
 
 // Model
 
-void for_sets_of(const Stream& stream, const std::function<void(Model&, const std::vector<Change>&)>& look) {
+void for_sets_of(const properties::Stream& stream,
+                 const std::function<void(Model&, const std::vector<Change>&)>& look) {
   Model model(stream.parameters);
   for (const auto& set : stream.sets) look(model, model.update(set));
   look(model, model.finish());
 }
 
-std::string bytes_of(const Stream& stream) {
+std::string bytes_of(const properties::Stream& stream) {
   Model model(stream.parameters);
   for (const auto& set : stream.sets) model.update(set);
   model.finish();
@@ -161,14 +161,14 @@ TEST(ModelLaws, TheOracleFindsNothing) {
 
 TEST(ModelLaws, TheSameCallsGiveTheSameBytes) {
   expect_law("Model (2)", 150, [] {
-    const Stream stream = *streams();
+    const properties::Stream stream = *streams();
     RC_ASSERT(bytes_of(stream) == bytes_of(stream));
   });
 }
 
 TEST(ModelLaws, EveryReadingIsAccountedFor) {
   expect_law("Model (3)", 150, [] {
-    const Stream stream = *streams();
+    const properties::Stream stream = *streams();
     std::int64_t readings = 0;
     std::size_t next = 0;
     for_sets_of(stream, [&](Model& model, const auto&) {
@@ -216,7 +216,7 @@ TEST(ModelLaws, SharedEdgesArePairedAndSurfacesAreTheirComponents) {
 
 TEST(ModelLaws, LookingChangesNothing) {
   expect_law("Model (6)", 100, [] {
-    const Stream stream = *streams();
+    const properties::Stream stream = *streams();
     Model model(stream.parameters);
     if (one_of(2)) model.keep_labels();
     if (one_of(2)) model.measure_stages();
@@ -232,7 +232,7 @@ TEST(ModelLaws, LookingChangesNothing) {
 
 TEST(ModelLaws, ReadingsThatAreNoneAreCountedAndChangeNothingElse) {
   expect_law("Model (7)", 100, [] {
-    const Stream stream = *streams();
+    const properties::Stream stream = *streams();
     Model with(stream.parameters), without(stream.parameters);
     const double none = std::numeric_limits<double>::quiet_NaN();
     std::int64_t refused = 0;
@@ -257,7 +257,7 @@ TEST(ModelLaws, ReadingsThatAreNoneAreCountedAndChangeNothingElse) {
 
 TEST(ModelLaws, ItComesBackFromItsRecord) {
   expect_law("Model (8)", 100, [] {
-    const Stream stream = *streams();
+    const properties::Stream stream = *streams();
     Model model(stream.parameters);
     for (const auto& set : stream.sets) model.update(set);
     const Model again(model.record());
@@ -267,7 +267,7 @@ TEST(ModelLaws, ItComesBackFromItsRecord) {
 
 TEST(ModelLaws, AnEmptySetIsCountedAndChangesNothingElse) {
   expect_law("Model (9)", 100, [] {
-    const Stream stream = *streams();
+    const properties::Stream stream = *streams();
     Model model(stream.parameters);
     for (const auto& set : stream.sets) {
       model.update(set);

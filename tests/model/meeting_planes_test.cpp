@@ -16,7 +16,7 @@ using namespace testing;
 using simulation::BoxWorld;
 
 /// How many random polyhedra are scanned: LIMPET_SEEDS, else 3.
-const std::uint64_t kSeeds = wanted("LIMPET_SEEDS", 3);
+const std::uint64_t kMeetingSeeds = wanted("LIMPET_SEEDS", 3);
 
 std::int64_t shared_edges(const Model& model) { return model.counts().shared_edges; }
 
@@ -224,7 +224,7 @@ TEST(Surfaces, OfTwoCubesAreTwo) {
 
 TEST(RandomPolyhedra, HaveTrueNeighboursAlone) {
   std::uint64_t closed = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kMeetingSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     constexpr double kResolution = 0.08;
@@ -237,7 +237,7 @@ TEST(RandomPolyhedra, HaveTrueNeighboursAlone) {
     EXPECT_EQ(topology.false_shared, 0) << faults_of(topology);
     closed += topology.closed && topology.isomorphic;
   }
-  EXPECT_GE(2 * closed, kSeeds);
+  EXPECT_GE(2 * closed, kMeetingSeeds);
 }
 
 }  // namespace

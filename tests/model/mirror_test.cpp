@@ -19,7 +19,7 @@ namespace {
 using namespace testing;
 
 /// How many random streams are read: LIMPET_STREAMS, else 100.
-const std::uint64_t kStreams = wanted("LIMPET_STREAMS", 100);
+const std::uint64_t kMirroredStreams = wanted("LIMPET_STREAMS", 100);
 
 /// Connected components of the neighbour relation, from the record alone.
 std::vector<std::vector<SegmentId>> surfaces_in(const ModelRecord& record) {
@@ -132,7 +132,7 @@ class Watch {
 
 TEST(Mirror, IsAnyStreamsModelAfterEverySet) {
   long named = 0;
-  for (std::uint64_t seed = 1; seed <= kStreams; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kMirroredStreams; ++seed) {
     const Stream stream = random_stream(seed);
     Watch watch(stream.parameters);
     for (std::size_t i = 0; i < stream.sets.size(); ++i)
@@ -140,7 +140,7 @@ TEST(Mirror, IsAnyStreamsModelAfterEverySet) {
     ASSERT_EQ(watch.finish(), "") << "seed " << seed << " finished";
     named += watch.named();
   }
-  EXPECT_GT(named, 500 * static_cast<long>(kStreams));
+  EXPECT_GT(named, 500 * static_cast<long>(kMirroredStreams));
 }
 
 /// Mergers, corners and surfaces that meet and part.

@@ -12,10 +12,10 @@ namespace {
 using namespace testing;
 
 /// How many streams each test reads: LIMPET_STREAMS, else 200.
-const std::uint64_t kStreams = wanted("LIMPET_STREAMS", 200);
+const std::uint64_t kJudgedStreams = wanted("LIMPET_STREAMS", 200);
 
 TEST(Oracle, FindsNothingAfterAnySetOfAnyStream) {
-  for (std::uint64_t seed = 1; seed <= kStreams; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kJudgedStreams; ++seed) {
     const Stream stream = random_stream(seed);
     Model model(stream.parameters);
     for (std::size_t i = 0; i < stream.sets.size(); ++i) {
@@ -28,7 +28,7 @@ TEST(Oracle, FindsNothingAfterAnySetOfAnyStream) {
 }
 
 TEST(Changes, TellAllThatHappenedInAnyStream) {
-  for (std::uint64_t seed = 1; seed <= kStreams; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kJudgedStreams; ++seed) {
     const Stream stream = random_stream(seed);
     Model model(stream.parameters);
     Ledger ledger;
@@ -42,7 +42,7 @@ TEST(Changes, TellAllThatHappenedInAnyStream) {
 }
 
 TEST(Readings, AreAllAccountedForInAnyStream) {
-  for (std::uint64_t seed = 1; seed <= kStreams; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kJudgedStreams; ++seed) {
     const Stream stream = random_stream(seed);
     Model model(stream.parameters);
     model.keep_labels();
@@ -67,7 +67,7 @@ TEST(Readings, AreAllAccountedForInAnyStream) {
 }
 
 TEST(Record, OfAnyStreamIsGoneOnFrom) {
-  for (std::uint64_t seed = 1; seed <= kStreams; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kJudgedStreams; ++seed) {
     const Stream stream = random_stream(seed);
     Model model(stream.parameters);
     const std::size_t half = stream.sets.size() / 2;

@@ -9,7 +9,7 @@ namespace {
 
 SensorPoint down(double x, double y, double z) { return {{x, y, z}, {0.3, 0.2, -0.9}}; }
 
-Model modelled(const std::vector<SensorPoint>& points, const Rules& rules = {}) {
+Model polygons_of(const std::vector<SensorPoint>& points, const Rules& rules = {}) {
   Parameters parameters;
   parameters.resolution = 0.05;
   parameters.noise = 0;
@@ -30,10 +30,10 @@ std::vector<SensorPoint> line_and(int outliers) {
 }
 
 TEST(Promotion, AScanLineAndAnOutlierAreNoPlane) {
-  EXPECT_EQ(modelled(line_and(0)).counts().polygons, 0);
-  EXPECT_EQ(modelled(line_and(1)).counts().polygons, 0);
+  EXPECT_EQ(polygons_of(line_and(0)).counts().polygons, 0);
+  EXPECT_EQ(polygons_of(line_and(1)).counts().polygons, 0);
   // Which is what the rule is for: without it one outlier decides on the plane.
-  EXPECT_GT(modelled(line_and(1), Rules::parse("-chance")).counts().polygons, 0);
+  EXPECT_GT(polygons_of(line_and(1), Rules::parse("-chance")).counts().polygons, 0);
 }
 
 TEST(Promotion, APatchOfThinlyScannedPlaneIsFoundTogether) {
@@ -41,7 +41,7 @@ TEST(Promotion, APatchOfThinlyScannedPlaneIsFoundTogether) {
   for (int i = 0; i < 8; ++i)
     for (int j = 0; j < 8; ++j)
       points.push_back(down(0.024 * i + 0.003 * (j % 3), 0.024 * j + 0.002 * (i % 2), 0));
-  const Model model = modelled(points);
+  const Model model = polygons_of(points);
   EXPECT_EQ(model.counts().polygons, 1);
   EXPECT_EQ(model.counts().loose, 0);
 }
@@ -53,7 +53,7 @@ TEST(Promotion, ReadingsThatGrazeAPlaneMakeNone) {
     for (int i = 0; i < 8; ++i)
       for (int j = 0; j < 8; ++j)
         points.push_back({{0.02 * i, 0.02 * j, 0}, {std::sin(angle_rad), 0, -std::cos(angle_rad)}});
-    return modelled(points).counts().polygons;
+    return polygons_of(points).counts().polygons;
   };
   EXPECT_EQ(seen_at(78), 1);
   EXPECT_EQ(seen_at(82), 0);
@@ -66,7 +66,7 @@ TEST(Promotion, OpposedSensingAxesDoNotMerge) {
       points.push_back({{0.02 * i, 0.02 * j, 0}, {0, 0, -1}});
       points.push_back({{0.02 * i, 0.02 * j, -0.01}, {0, 0, 1}});  // the back of a thin plate
     }
-  EXPECT_EQ(modelled(points).counts().polygons, 2);
+  EXPECT_EQ(polygons_of(points).counts().polygons, 2);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 using namespace testing;
 
 /// How many scans of each shape are taken: LIMPET_SEEDS, else 1.
-const std::uint64_t kSeeds = wanted("LIMPET_SEEDS", 1);
+const std::uint64_t kSharingSeeds = wanted("LIMPET_SEEDS", 1);
 
 struct KnownShape {
   std::string name;
@@ -53,7 +53,7 @@ void expect_known(const KnownShape& shape, Order order, double noise, std::uint6
 }
 
 void expect_all_known(Order order, double noise) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+  for (std::uint64_t seed = 1; seed <= kSharingSeeds; ++seed)
     for (const KnownShape& shape : known_shapes()) {
       SCOPED_TRACE(shape.name + ", seed " + std::to_string(seed));
       expect_known(shape, order, noise, seed);

@@ -13,7 +13,7 @@ namespace {
 using namespace testing;
 
 /// How many streams each test reads: LIMPET_STREAMS, else 100.
-const std::uint64_t kStreams = wanted("LIMPET_STREAMS", 100);
+const std::uint64_t kStoredStreams = wanted("LIMPET_STREAMS", 100);
 
 bool same(const std::vector<Change>& a, const std::vector<Change>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Change& x, const Change& y) {
@@ -101,7 +101,7 @@ void expect_same_ever_after(const Parameters& parameters, const std::vector<Poin
 }
 
 TEST(State, OfAnyStreamIsGoneOnFromToTheBit) {
-  for (std::uint64_t seed = 1; seed <= kStreams && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= kStoredStreams && !HasFailure(); ++seed) {
     const Stream stream = random_stream(seed);
     expect_same_ever_after(stream.parameters, stream.sets, seed);
   }

@@ -21,7 +21,7 @@ struct Expected {
   long euler;  ///< of the surface: vertices − edges + triangles
 };
 
-class Shape : public testing::TestWithParam<Expected> {};
+class Shape : public ::testing::TestWithParam<Expected> {};
 
 TEST_P(Shape, HasItsFacesHolesAreaAndTopology) {
   const Expected& expected = GetParam();
@@ -44,16 +44,17 @@ TEST_P(Shape, HasItsFacesHolesAreaAndTopology) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Shape,
-    testing::Values(Expected{"cube", 6, 0, 6, true, 2}, Expected{"L", 8, 0, 5.5, true, 2},
-                    Expected{"step_hole", 12, 2, 9.25, true, 0}, Expected{"plate3", 18, 6, 8, true, -4},
-                    Expected{"open_box", 5, 0, 5, false, 1}, Expected{"thin_plate:0.02", 6, 0, 2.08, true, 2},
-                    Expected{"pyramid", 5, 0, 1 + std::sqrt(5.0), true, 2},
-                    Expected{"octahedron", 8, 0, 4 * std::sqrt(3.0), true, 2},
-                    Expected{"icosahedron", 20, 0, 5 * std::sqrt(3.0), true, 2},
-                    Expected{"box", 6, 0, 5.5, true, 2}, Expected{"step", 10, 0, 9, true, 2},
-                    Expected{"notch", 10, 0, 8.5, true, 2}, Expected{"cross", 14, 0, 5.5, true, 2},
-                    Expected{"sphere:8", 32, 0, 2.753359769, true, 2},
-                    Expected{"drum:8", 15, 1, 4.456708581, true, 2}),
+    ::testing::Values(Expected{"cube", 6, 0, 6, true, 2}, Expected{"L", 8, 0, 5.5, true, 2},
+                      Expected{"step_hole", 12, 2, 9.25, true, 0}, Expected{"plate3", 18, 6, 8, true, -4},
+                      Expected{"open_box", 5, 0, 5, false, 1},
+                      Expected{"thin_plate:0.02", 6, 0, 2.08, true, 2},
+                      Expected{"pyramid", 5, 0, 1 + std::sqrt(5.0), true, 2},
+                      Expected{"octahedron", 8, 0, 4 * std::sqrt(3.0), true, 2},
+                      Expected{"icosahedron", 20, 0, 5 * std::sqrt(3.0), true, 2},
+                      Expected{"box", 6, 0, 5.5, true, 2}, Expected{"step", 10, 0, 9, true, 2},
+                      Expected{"notch", 10, 0, 8.5, true, 2}, Expected{"cross", 14, 0, 5.5, true, 2},
+                      Expected{"sphere:8", 32, 0, 2.753359769, true, 2},
+                      Expected{"drum:8", 15, 1, 4.456708581, true, 2}),
     [](const auto& tested) { return "shape" + std::to_string(tested.index); });
 
 TEST(Shapes, NormalsPointOutOfTheSolid) {

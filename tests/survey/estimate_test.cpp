@@ -8,6 +8,7 @@
 #include <limpet/survey/estimate.hpp>
 
 #include "copies.hpp"
+#include "estimates.hpp"
 #include "simulated.hpp"
 
 namespace limpet::survey {
@@ -69,12 +70,6 @@ std::vector<model::SensorPoint> points_of(const Case& scan) {
   std::vector<model::SensorPoint> points;
   for (const auto& p : scan.make()) points.push_back(p.point);
   return points;
-}
-
-Estimate estimate_of(const std::vector<model::SensorPoint>& points) {
-  return estimate([&](const Take& take) {
-    for (const auto& p : points) take(p);
-  });
 }
 
 Estimate estimate_once(const std::vector<model::SensorPoint>& points) {

@@ -10,6 +10,8 @@
 #include <limpet/survey/noise_law.hpp>
 #include <limpet/survey/random.hpp>
 
+#include "estimates.hpp"
+
 namespace limpet::survey {
 namespace {
 
@@ -51,12 +53,6 @@ TEST(NoiseLaw, IsOneNumberWhereRangesAreNotKnownOrAllTheSame) {
   EXPECT_FALSE(fit_noise_law(unknown).varies());
   EXPECT_FALSE(fit_noise_law(same).varies());
   EXPECT_EQ(fit_noise_law({}).fixed, 0);
-}
-
-Estimate estimate_of(const std::vector<model::SensorPoint>& points) {
-  return estimate([&](const Take& take) {
-    for (const auto& p : points) take(p);
-  });
 }
 
 TEST(NoiseOfScans, GrowsWithTheRange) {
