@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "streams.hpp"
 
@@ -21,6 +23,18 @@ inline Vector3d any_direction(auto& random) {
     const Vector3d d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     if (d.norm() > 0.1 && d.norm() < 1) return d.normalized();
   }
+}
+
+/// That takes the unit vector a to the unit vector b. Eigen's own brings a singular value decomposition along,
+/// which takes longer to compile than all else here.
+inline Eigen::Matrix3d rotation(const Vector3d& a, const Vector3d& b) {
+  const double w2 = 1 + a.dot(b);
+  if (w2 < 1e-9) return Eigen::AngleAxisd(std::numbers::pi, a.unitOrthogonal()).toRotationMatrix();
+  const double s = std::sqrt(2 * w2);
+  Eigen::Quaterniond turn;
+  turn.vec() = a.cross(b) / s;
+  turn.w() = s / 2;
+  return turn.toRotationMatrix();
 }
 
 inline double grid(auto& random, int cells) {
@@ -98,7 +112,7 @@ inline Points piece(auto& random, int count) {
     for (auto& p : points) p.axis = (p.axis + tilt * any_direction(random)).normalized();
   }
   if (random.below(3) == 0) {  // anywhere in space
-    const Eigen::Matrix3d turned = Eigen::Quaterniond::FromTwoVectors(a, b).toRotationMatrix();
+    const Eigen::Matrix3d turned = rotation(a, b);
     for (auto& p : points) p = {turned * p.position, turned * p.axis};
   }
   return points;
