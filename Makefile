@@ -4,7 +4,7 @@ PRESET ?= release
 PREFIX ?= /usr/local
 SOURCES = git ls-files '*.cpp' '*.hpp'
 
-.PHONY: demo test build fuzz coverage same-bytes tsan mutants bench bench-predicates bench-following bench-compare benchmarks
+.PHONY: demo test build sanitize fuzz coverage same-bytes tsan mutants bench bench-predicates bench-following bench-compare benchmarks
 .PHONY: format format-check lint install clean packages configure
 
 demo: configure
@@ -16,6 +16,13 @@ test: build
 
 build: configure
 	cmake --build build/$(PRESET) -j $(JOBS)
+
+# With ASan and UBSan: the commands on all that their tests give them, damaged models, and a model without memory.
+sanitize: packages
+	cmake --preset sanitize
+	cmake --build build/sanitize -j $(JOBS) --target limpet_app_tests limpet_memory_tests
+	tools/test.sh build/sanitize/tests/app
+	tools/test.sh build/sanitize/tests/memory
 
 # Each kind of input for so many SECONDS; what is found becomes a case in out/fuzz. KINDS="scan mesh" for some of them.
 fuzz: build
@@ -97,9 +104,11 @@ format: packages
 format-check: packages
 	$(SOURCES) | xargs clang-format --dry-run -Werror
 
-lint: configure
-	tools/install_packages.sh lint
-	tools/lint.py build/$(PRESET) --jobs $(JOBS)
+# MINUTES=5 for as much as can be looked at in five minutes; what has passed is not looked at again.
+lint: packages
+	tools/install_packages.sh bench lint
+	cmake --preset lint
+	tools/lint.py build/lint --jobs $(JOBS) $(if $(MINUTES),--minutes $(MINUTES))
 
 install: build
 	cmake --install build/$(PRESET) --prefix $(PREFIX)

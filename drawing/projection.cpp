@@ -32,9 +32,9 @@ bool is_drawable(const io::LiftedPolygon& polygon) {
 
 /// Light from the upper left behind the viewer. Back sides are seen only where a surface is open: grey.
 io::Color shade(const io::Color& color, const Eigen::Vector3d& normal) {
-  static const Eigen::Vector3d kLight = Eigen::Vector3d(-0.40, -0.62, -0.68).normalized();
+  static const Eigen::Vector3d light_from = Eigen::Vector3d(-0.40, -0.62, -0.68).normalized();
   const bool back = normal.z() > 0;
-  const double lambert = std::max(0.0, (back ? -normal : normal).dot(kLight));
+  const double lambert = std::max(0.0, (back ? -normal : normal).dot(light_from));
   const double light = back ? 0.72 + 0.20 * lambert : 0.76 + 0.32 * lambert;
   io::Color shaded;
   for (int i = 0; i < 3; ++i) {

@@ -37,7 +37,7 @@ struct Plane {
 std::optional<Plane> fitted(const Positions& points, const Vector3d& outward, double noise) {
   if (points.size() < 3) return std::nullopt;
   const double m = static_cast<double>(points.size());
-  const Vector3d near = points.front();  // centring twice loses nothing to a far origin
+  const Vector3d& near = points.front();  // centring twice loses nothing to a far origin
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& p : points) mean += p - near;
   mean = near + mean / m;

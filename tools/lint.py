@@ -1,123 +1,94 @@
 #!/usr/bin/env python3
-"""clang-tidy over the whole tree, many files at a time.
+"""clang-tidy over the whole tree: each folder as one file (preset `lint`), because most of its time goes to what files
+include; and again only over what has changed since it passed.
 
-Most of clang-tidy's time goes to the headers that a file includes. Files of one target that have no names in common
-are therefore looked at together, as one file that includes them; where they do not compile together after all, half
-of them at a time. What is found is said with the file's own name and line.
+    tools/lint.py BUILD [--jobs N] [--minutes M]     BUILD: configured with the preset `lint`
 
-    tools/lint.py BUILD [--jobs N] [FILE...]     BUILD: a configured folder, with compile_commands.json
+What is not begun after M minutes is counted, and is first at the next run. What has passed is remembered in
+$XDG_CACHE_HOME/limpet-lint (~/.cache).
 """
 import argparse
 import concurrent.futures
+import hashlib
 import json
+import os
 import pathlib
-import re
 import shlex
 import subprocess
 import sys
+import time
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
-LARGEST_BATCH = 24
-
-# What a file keeps to itself begins at the first column of an unnamed namespace.
-UNNAMED = re.compile(r"^namespace \{\n(.*?)^\}  // namespace\n", re.S | re.M)
-TYPE = re.compile(r"^(?:template <[^\n]*>\n)?(?:struct|class|enum class|enum|using) (\w+)", re.M)
-VALUE = re.compile(r"^(?!struct|class|enum|using|template|namespace|//|/\*)(?=\w)[\w:<>,&*\[\] ]*?[ &*](\w+)(?:\[\w*\])?(?:\(| =|\{|;)",
-                   re.M)
-TEST = re.compile(r"^(?:TEST|TEST_F|TEST_P|RC_GTEST_PROP)\((\w+, \w+)", re.M)
+CACHE = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "limpet-lint"
+OURS = rf"(/limpet/[a-z]+/[a-z0-9_]+\.hpp|^{SOURCE}/(?!build/).*\.[ch]pp)$"
+# The same sources with other definitions, and files that are not to compile.
+TWICE = ("float", "counted", "tests/build/")
 
 
-def own_names(path):
-    text = path.read_text()
-    names = set(re.findall(r"^#define (\w+)", text, re.M)) | set(re.findall(r"^int (main)\(", text, re.M))
-    space = re.search(r"^namespace ([\w:]+) \{", text, re.M)
-    for part in [text] if not space else UNNAMED.findall(text):
-        names |= {(space and space[1], name) for name in TEST.findall(part) + TYPE.findall(part) + VALUE.findall(part)}
-    return names
+def said_by(command, folder):
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace")
 
 
 def flags_of(entry):
-    """The command without the file, its output, and the compiler."""
-    words = shlex.split(entry["command"])  # no path here has blanks in it
+    """What the compiler is told, without the file, its output, and what only GCC knows."""
+    words = shlex.split(entry["command"])
     words = words[2:] if words[0].endswith("ccache") else words[1:]
     flags, skip = [], False
     for word in words:
         if skip:
             skip = False
-        elif word in ("-o", "-MF", "-MT", "-c"):
+        elif word in ("-o", "-MF", "-MT", "-c", "--param"):
             skip = True
-        elif word != "-MD":
+        elif word != "-MD" and not word.startswith("-W"):
             flags.append(word)
-    return " ".join(flags).replace("-isystem ", "-isystem").split(" ")
+    return flags
 
 
-def defines(flags):
-    return {flag.split("=")[0]: flag for flag in flags if flag.startswith("-D")}
+class Unit:
+    def __init__(self, entry):
+        self.file, self.folder, self.flags = entry["file"], entry["directory"], flags_of(entry)
+        self.name = str(pathlib.Path(self.file).resolve().relative_to(SOURCE))
 
+    def stamp(self, setting):
+        """A file that is there when exactly this has passed: the text with all it includes, comments too."""
+        text = said_by(["c++", *self.flags, "-E", "-P", "-C", self.file], self.folder)
+        if text.returncode:
+            return None
+        return CACHE / hashlib.sha256((setting + text.stdout).encode()).hexdigest()
 
-def fits(batch, names, flags):
-    mine, theirs = defines(batch["flags"]), defines(flags)
-    return (len(batch["paths"]) < LARGEST_BATCH and not batch["names"] & names
-            and all(theirs.get(name, flag) == flag for name, flag in mine.items()))
-
-
-def batches_of(database, wanted):
-    """Files such that no two in a batch have a name of their own in common, or are compiled with other definitions."""
-    flags_by_path = {}
-    for entry in database:
-        path = pathlib.Path(entry["file"]).resolve()
-        if path in wanted:
-            flags_by_path.setdefault(path, flags_of(entry))
-    for missing in sorted(wanted - set(flags_by_path)):
-        print(f"not compiled in this build, so not looked at: {missing.relative_to(SOURCE)}", file=sys.stderr)
-    batches = []
-    for path, flags in sorted(flags_by_path.items()):
-        names = own_names(path)
-        batch = next((b for b in batches if fits(b, names, flags)), None)
-        if batch is None:
-            batch = {"paths": [], "names": set(), "flags": []}
-            batches.append(batch)
-        batch["paths"].append(path)
-        batch["names"] |= names
-        batch["flags"] += [flag for flag in flags if flag not in batch["flags"]]
-    return sorted(batches, key=lambda batch: -len(batch["paths"]))
-
-
-def look_at(batch, folder, number):
-    """What clang-tidy says of the files; a batch that does not compile is looked at by halves."""
-    paths = batch["paths"]
-    together = folder / f"batch_{number}.cpp"
-    together.write_text("".join(f'#include "{path}"\n' for path in paths))
-    command = ["clang-tidy", "--quiet", "--header-filter=" + rf"(/limpet/[a-z]+/[a-z0-9_]+\.hpp|^{SOURCE}/.*\.[ch]pp)$",
-               str(together), "--", *batch["flags"], "-Wno-everything"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-    said = done.stdout + done.stderr
-    if "clang-diagnostic-error" in said and len(paths) > 1:
-        middle = len(paths) // 2
-        halves = [dict(batch, paths=paths[:middle]), dict(batch, paths=paths[middle:])]
-        return "".join(look_at(half, folder, f"{number}_{i}") for i, half in enumerate(halves))
-    return done.stdout if done.returncode else ""
+    def look(self, setting, end):
+        """What is wrong with it; nothing where all is well; None where there was no time to look."""
+        stamp = self.stamp(setting)
+        if stamp and stamp.exists():
+            return ""
+        if time.monotonic() > end:
+            return None
+        done = said_by(["clang-tidy", "--quiet", f"--header-filter={OURS}", self.file, "--", *self.flags,
+                        "-Wno-everything"], self.folder)
+        if done.returncode == 0 and stamp:
+            CACHE.mkdir(parents=True, exist_ok=True)
+            stamp.touch()
+        return "" if done.returncode == 0 else done.stdout or done.stderr
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("files", nargs="*", type=pathlib.Path)
+    parser.add_argument("--minutes", type=float, default=float("inf"))
     args = parser.parse_args()
-    listed = args.files or subprocess.run(["git", "ls-files", "*.cpp"], cwd=SOURCE, capture_output=True, text=True,
-                                          check=True).stdout.split()
-    wanted = {(SOURCE / path).resolve() for path in listed}
+    end = time.monotonic() + 60 * args.minutes
+    setting = (SOURCE / ".clang-tidy").read_text() + said_by(["clang-tidy", "--version"], SOURCE).stdout
     database = json.loads((args.build / "compile_commands.json").read_text())
-    batches = batches_of(database, wanted)
-    folder = args.build.resolve() / "lint"
-    folder.mkdir(exist_ok=True)
-    print(f"{sum(len(batch['paths']) for batch in batches)} files in {len(batches)} batches", flush=True)
+    units = {entry["file"]: Unit(entry) for entry in database if not any(part in entry["file"] for part in TWICE)}
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        said = list(pool.map(lambda numbered: look_at(numbered[1], folder, numbered[0]), enumerate(batches)))
-    text = "".join(said)
-    print(text, end="")
-    return 1 if text else 0
+        found = dict(zip(units, pool.map(lambda unit: unit.look(setting, end), units.values())))
+    print("".join(text for text in found.values() if text), end="")
+    left = [units[file].name for file, text in found.items() if text is None]
+    print(f"clang-tidy: {len(found) - len(left)} of {len(found)} units looked at", flush=True)
+    if left:
+        print("for want of time not: " + " ".join(left))
+    return 1 if any(found.values()) else 0
 
 
 if __name__ == "__main__":

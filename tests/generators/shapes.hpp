@@ -31,9 +31,12 @@ inline std::vector<NewVertex> reversed(std::vector<NewVertex> cycle) {
 
 /// A set of full cells, n to a row, none of them in the outermost rows and columns.
 struct Cells {
-  explicit Cells(int side) : n(side), full(static_cast<std::size_t>(n * n)) {}
-  char& at(int x, int y) { return full[static_cast<std::size_t>(y * n + x)]; }
-  char at(int x, int y) const { return full[static_cast<std::size_t>(y * n + x)]; }
+  explicit Cells(int side) : n(side), full(slot(0, n)) {}
+  char& at(int x, int y) { return full[slot(x, y)]; }
+  char at(int x, int y) const { return full[slot(x, y)]; }
+  std::size_t slot(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(n) + static_cast<std::size_t>(x);
+  }
   int n;
   std::vector<char> full;
 };
@@ -53,7 +56,8 @@ inline Cycles outline_of(const Cells& cells, bool all_corners) {
   const auto boundary = [&](int cx, int cy, int d) {
     return cell(cx, cy, d, true) && !cell(cx, cy, d, false);
   };
-  std::vector<char> done(static_cast<std::size_t>((n + 1) * (n + 1) * 4));
+  const auto side = static_cast<std::size_t>(n) + 1;
+  std::vector<char> done(side * side * 4);
   Cycles cycles;
   for (int sy = 0; sy <= n; ++sy)
     for (int sx = 0; sx <= n; ++sx)
@@ -62,7 +66,7 @@ inline Cycles outline_of(const Cells& cells, bool all_corners) {
         std::vector<NewVertex> cycle;
         int cx = sx, cy = sy, d = sd, before = -1;
         for (;;) {
-          char& mark = done[static_cast<std::size_t>((cy * (n + 1) + cx) * 4 + d)];
+          char& mark = done[(static_cast<std::size_t>(cy) * side + static_cast<std::size_t>(cx)) * 4 + static_cast<std::size_t>(d)];
           if (mark) break;
           mark = 1;
           if (all_corners || d != before)
@@ -98,7 +102,8 @@ inline Cycles spiral(int turns, double pitch, double width) {
   Point2 p{0, 0};
   constexpr double kDx[] = {1, 0, -1, 0}, kDy[] = {0, 1, 0, -1};
   for (int k = 0; k < turns; ++k) {
-    const double length = pitch * (k / 2 + 1);
+    const int round = k / 2;
+    const double length = pitch * (round + 1);
     p = {p.x + kDx[k % 4] * length, p.y + kDy[k % 4] * length};
     outer.push_back(p);
   }
