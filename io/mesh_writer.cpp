@@ -82,8 +82,7 @@ void append_count(std::string& text, std::size_t count) { append(text, static_ca
 
 /// The vertices of a face, numbered from `first`, each after a blank.
 void append_face(std::string& text, const Mesh& mesh, Mesh::FaceHandle face, int first) {
-  for (const auto vertex : mesh.fv_range(face))
-    append(text += ' ', std::int64_t{vertex.idx()} + first);
+  for (const auto vertex : mesh.fv_range(face)) append(text += ' ', std::int64_t{vertex.idx()} + first);
 }
 
 void append_color(std::string& text, const Color& color) {

@@ -66,7 +66,8 @@ inline Cycles outline_of(const Cells& cells, bool all_corners) {
         std::vector<NewVertex> cycle;
         int cx = sx, cy = sy, d = sd, before = -1;
         for (;;) {
-          char& mark = done[(static_cast<std::size_t>(cy) * side + static_cast<std::size_t>(cx)) * 4 + static_cast<std::size_t>(d)];
+          char& mark = done[(static_cast<std::size_t>(cy) * side + static_cast<std::size_t>(cx)) * 4 +
+                            static_cast<std::size_t>(d)];
           if (mark) break;
           mark = 1;
           if (all_corners || d != before)

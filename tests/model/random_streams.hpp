@@ -25,8 +25,8 @@ inline Vector3d any_direction(auto& random) {
   }
 }
 
-/// That takes the unit vector a to the unit vector b. Eigen's own brings a singular value decomposition along,
-/// which takes longer to compile than all else here.
+/// That takes the unit vector a to the unit vector b. Eigen's own brings a singular value decomposition
+/// along, which takes longer to compile than all else here.
 inline Eigen::Matrix3d rotation(const Vector3d& a, const Vector3d& b) {
   const double w2 = 1 + a.dot(b);
   if (w2 < 1e-9) return Eigen::AngleAxisd(std::numbers::pi, a.unitOrthogonal()).toRotationMatrix();
