@@ -132,10 +132,32 @@ void Complex::absorb(const Segment& into, const Segment& from, bool stays_young)
 void Complex::absorb_united(const Segment& into, const Segment& from, bool stays_young) {
   absorb_data(mutable_of(into), from, stays_young);
   const SegmentId old_id = into.id, gone = from.id;
+  Owned<Felt>& felt = mutable_of(into).polygon->felt;
+  if (felt && from.polygon->felt)
+    felt->add(std::move(*mutable_of(from).polygon->felt));
+  else
+    felt.reset();
   const auto lost = erase(mutable_of(from));
   segments_.rename(mutable_of(into));
   changes_.add(Change::Kind::merged, old_id, gone, into.id);
   changes_.add(Change::Kind::edges_removed, into.id, lost);
+}
+
+void Complex::keep_felt(const Segment& s) {
+  PolygonPart& part = *mutable_of(s).polygon;
+  if (!part.felt) part.felt = std::make_unique<Felt>(part.chart, part.perimeter, s.count());
+}
+
+void Complex::felt_at(const Segment& s, const Eigen::Vector3d& p) {
+  Owned<Felt>& felt = mutable_of(s).polygon->felt;
+  if (felt && agenda_.finishing)
+    felt->add(p);
+  else
+    felt.reset();
+}
+
+void Complex::note_addition(const Segment& s) {
+  if (Owned<Felt>& felt = mutable_of(s).polygon->felt) felt->note_addition();
 }
 
 void Complex::allow_returns() {

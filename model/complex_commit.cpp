@@ -88,6 +88,7 @@ void Complex::commit_judged(const Transaction& transaction) {
     for (const std::uint32_t slot : {of_a, of_b}) agenda_.mark_modified(slot);
   }
   for (std::size_t i = 0; i < transaction.edits.size(); ++i) {
+    note_addition(at(transaction.edits[i].first));
     std::vector<EdgeId> born;
     for (const auto& [a, b] : transaction.pairs) born.push_back(i == 0 ? a : b);
     perimeter_changed(*segments_.in_slot(transaction.edits[i].first), born);
@@ -139,6 +140,7 @@ void Complex::become_polygon(const Segment& point_segment, std::unique_ptr<Polyg
   s.next_fit = s.count() + 1;
   reindex(s);
   description_changed(s, s.polygon->box);
+  if (agenda_.finishing) keep_felt(s);
   changes_.add(Change::Kind::became_polygon, {}, {}, s.id);
   tell(s, std::move(difference));
 }

@@ -102,6 +102,12 @@ class Complex {
   /// identity.
   void absorb_united(const Segment& into, const Segment& from, bool stays_young);
   void allow_returns();
+  /// From now on, what is added to a polygon without a reading is told apart from what was felt.
+  void keep_felt(const Segment&);
+  /// A reading has extended the perimeter to this place; unless finish() is at work, that makes all of it
+  /// felt.
+  void felt_at(const Segment&, const Eigen::Vector3d&);
+  void note_addition(const Segment&);
   void set_fit(const Segment&, const Fit&, std::int64_t next_fit);
   void set_initial_plane(const Segment&, const geometry::Plane&);
   void set_stale(const Segment&, bool stale);

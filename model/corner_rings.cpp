@@ -6,6 +6,7 @@
 
 #include <limpet/geometry/predicates.hpp>
 
+#include "chance_internal.hpp"
 #include "voids_internal.hpp"
 
 namespace limpet::model::internal {
@@ -57,17 +58,31 @@ std::optional<RingPart> part_after(const Complex& complex, const Segment& s, Slo
 
 /// May the part give way to its corner although it is farther than λ from both lines? When finishing, it may
 /// if it is a bay that may be a chance gap (rule `voids`), or a spur.
-bool gives_way(const Setting& setting, const RingPart& part) {
-  const geometry::Polygon& perimeter = part.segment->polygon->perimeter;
+bool gives_way(const Complex& complex, const RingPart& part) {
+  const PolygonPart& polygon = *part.segment->polygon;
+  const double step = complex.setting().step;
+  Addition bay = addition_on(polygon);
+  const auto scaled = [&](Point2 p) { return Eigen::Vector2d(step * p.x, step * p.y); };
+  bay.outline.push_back(scaled(part.corner));
   double twice_area = 0, depth = 0;  // of the region between P and the corner; > 0 on the right of P
-  for (std::size_t i = 0; i + 1 < part.between.size(); ++i) {
-    const Point2 p = perimeter.at(part.between[i]) - part.corner,
-                 q = perimeter.at(part.between[i + 1]) - part.corner;
-    twice_area -= cross(p, q);
-    depth = std::max(depth, std::sqrt(squared_length(q)));
+  for (std::size_t i = 0; i < part.between.size(); ++i) {
+    const Point2 p = polygon.perimeter.at(part.between[i]);
+    bay.outline.push_back(scaled(p));
+    if (i + 1 == part.between.size()) break;
+    const Point2 q = polygon.perimeter.at(part.between[i + 1]);
+    twice_area -= cross(p - part.corner, q - part.corner);
+    depth = std::max(depth, std::sqrt(squared_length(q - part.corner)));
   }
-  return twice_area > 0 ? empty_by_chance(setting, *part.segment, twice_area / 2, part.between.size())
-                        : is_spur(setting, twice_area / 2, depth);
+  if (twice_area <= 0) return is_spur(complex.setting(), twice_area / 2, depth);
+  // The two shared edges will end at the corner; the polygon is on their left.
+  for (const Slot s : {part.before, part.after}) {
+    const bool before = s == part.before;
+    const Eigen::Vector2d far = scaled(before ? polygon.perimeter.at(s) : polygon.perimeter.end(s)),
+                          corner = scaled(part.corner),
+                          along = (before ? corner - far : far - corner).normalized();
+    bay.limits.push_back({corner, {-along.y(), along.x()}});
+  }
+  return chance_explains(complex, *part.segment, bay);
 }
 
 /// Sets the part's corner, and checks the conditions on its distances and directions (thesis §2.7).
@@ -92,7 +107,9 @@ Refusal fit_corner(const Complex& complex, RingPart& part, const SharingReach& r
     reached = (p + t * d - *corner).squaredNorm() < lambda2;
   }
   if (!reached) return Refusal::corner_far;
-  if (far && !(reach.section > 1 && gives_way(complex.setting(), part))) return Refusal::corner_bay;
+  const Owned<Felt>& felt = polygon.felt;
+  const bool doubtful = far || (reach.section > 1 && felt && !felt->is_all());
+  if (doubtful && !(reach.section > 1 && gives_way(complex, part))) return Refusal::corner_bay;
   // e₁ and e₂ keep their directions, and a least length.
   const Point2 u = polygon.perimeter.at(part.before), w = polygon.perimeter.end(part.after);
   const Point2 d1 = polygon.perimeter.end(part.before) - u, d2 = w - polygon.perimeter.at(part.after);

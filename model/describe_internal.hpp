@@ -82,9 +82,13 @@ void describe(auto& archive, Is<HeightMap> auto& map) {
       [](const auto& squares) { return HeightMap::of_squares(squares); });
 }
 void describe(auto& archive, Is<SegmentData> auto& data) { Storage::describe_data(archive, data); }
+void describe(auto& archive, Is<Felt::Part> auto& p) { archive(p.chart, p.perimeter); }
+void describe(auto& archive, Is<Felt> auto& felt) {
+  std::apply([&](auto&... members) { archive(members...); }, felt.members());
+}
 void describe(auto& archive, Is<PolygonPart> auto& p) {
   archive(p.chart, p.perimeter, p.published, p.outward, p.initial, p.box, p.heights, p.stale, p.counted_area,
-          p.shape);
+          p.shape, p.felt);
 }
 void describe(auto& archive, Is<Segment> auto& s) {
   archive(s.id, s.fit, s.data, s.next_fit, s.indexed, s.indexed_as_polygon, s.polygon);

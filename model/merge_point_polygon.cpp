@@ -51,7 +51,9 @@ bool extend_perimeter(Complex& complex, const Segment& polygon, const Standing& 
       polygon, false, at_new_edges, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
         return geometry::extend_to_point(perimeter, st.chart_point, gap, ids);
       });
-  return extension != geometry::Extension::refused;
+  if (extension == geometry::Extension::refused) return false;
+  if (polygon.polygon->felt) complex.felt_at(polygon, polygon.polygon->at(st.chart_point));
+  return true;
 }
 
 inline void joined(Complex& complex, Agenda& agenda, const Segment& polygon) {

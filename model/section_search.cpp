@@ -94,7 +94,10 @@ bool SectionSearch::goes_on_beyond(double begin, double end) const {
 }
 
 bool SectionSearch::form(const LineChain& p, const LineChain& q) {
-  p_ = {&a_, &p, false}, q_ = {&b_, &q, true};
+  // turned() has made places increase along the direction of L, and offsets positive on the inside.
+  const Eigen::Vector3d along = sign_ * line_.along;
+  p_ = {&a_, &p, false, line_.origin, along, sign_ * a_.polygon->plane().normal.cross(line_.along)};
+  q_ = {&b_, &q, true, line_.origin, along, -sign_ * b_.polygon->plane().normal.cross(line_.along)};
   const auto [low_p, high_p] = range(p);
   const auto [low_q, high_q] = range(q);
   const double low = std::max(low_p, low_q), high = std::min(high_p, high_q);
@@ -146,7 +149,7 @@ Refusal SectionSearch::try_section(double begin, double end) {
   const bool gains = (on_p.open >= least && on_q.open >= least) || on_p.shared.size() >= 2;
   if (!gains) return Refusal::nothing_opposite;
   if (!correspond(on_p.shared, on_q.shared)) return Refusal::other_pairs;
-  if (!gives_way(complex_.setting(), p_, *p) || !gives_way(complex_.setting(), q_, *q)) return Refusal::bay;
+  if (!gives_way(complex_, p_, *p) || !gives_way(complex_, q_, *q)) return Refusal::bay;
   // With an end at a shared edge on one side only, the ends of the copies would not coincide.
   if (p->begin_anchored != q->begin_anchored || p->end_anchored != q->end_anchored)
     return Refusal::one_sided_end;

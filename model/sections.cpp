@@ -6,6 +6,7 @@
 
 #include <limpet/geometry/predicates.hpp>
 
+#include "chance_internal.hpp"
 #include "voids_internal.hpp"
 
 namespace limpet::model::internal {
@@ -91,28 +92,41 @@ Content content_of(const Side& side, const Section& section) {
   return content;
 }
 
-bool gives_way(const Setting& setting, const Side& side, const Section& section) {
+bool gives_way(const Complex& complex, const Side& side, const Section& section) {
+  const Setting& setting = complex.setting();
   const double lambda = setting.lambda, near = lambda / 4;
-  // Signed area (> 0: a bay) of the bay or spur that the walk along the section is in, and its extreme
-  // offsets.
+  const Owned<Felt>& felt = side.segment->polygon->felt;
+  const bool all_felt = !felt || felt->is_all();
+  // The bay or spur that the walk along the section is in, its signed area (> 0: a bay) and extreme offsets.
+  Addition bay = side.frame();
+  bay.limits.push_back({{0, 0}, {0, 1}});
   double area = 0, highest = section.begin.offset, lowest = section.begin.offset;
-  std::size_t points = 0;
   Station last = section.begin;
+  const auto begin_at = [&](const Station& s) {
+    bay.outline.assign({{s.place, 0}, {s.place, s.offset}});
+    bay.limits.resize(1);
+    bay.limits.push_back({{s.place, 0}, {1, 0}});
+  };
   const auto ends = [&] {
+    bay.outline.emplace_back(last.place, 0);
+    bay.limits.push_back({{last.place, 0}, {-1, 0}});
     const double steps2 = area / (setting.step * setting.step);
-    const bool bay_goes = highest < lambda || empty_by_chance(setting, *side.segment, steps2, points),
+    const bool bay_goes = highest <= 0 || (highest < lambda && all_felt) ||
+                          chance_explains(complex, *side.segment, bay),
                spur_goes = lowest > -lambda || is_spur(setting, -steps2, -lowest / setting.step);
-    area = highest = lowest = 0, points = 0;
+    area = highest = lowest = 0;
+    begin_at(last);
     return bay_goes && spur_goes;
   };
   const auto go_on_to = [&](const Station& next) {
     if (last.offset * next.offset < 0 && !ends()) return false;
     area += (next.place - last.place) * (last.offset + next.offset) / 2;
-    ++points;
+    bay.outline.emplace_back(next.place, next.offset);
     highest = std::max(highest, next.offset), lowest = std::min(lowest, next.offset);
     last = next;
     return std::abs(next.offset) >= near || ends();
   };
+  begin_at(section.begin);
   for (std::size_t i = section.first_edge + 1; i <= section.last_edge; ++i)
     if (!go_on_to(side.station(i))) return false;
   return go_on_to(section.end) && ends();

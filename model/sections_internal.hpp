@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "chance_internal.hpp"
 #include "line_chains_internal.hpp"
 
 namespace limpet::model::internal {
@@ -14,11 +15,15 @@ struct Side {
   const Segment* segment = nullptr;
   const LineChain* chain = nullptr;
   bool reversed = false;  ///< the perimeter runs against the chain
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::Zero(),
+                  inwards = Eigen::Vector3d::Zero();  ///< of places and offsets, in the world
 
   std::size_t size() const { return chain->stations.size(); }
   const Station& station(std::size_t i) const { return chain->stations[i]; }
   const geometry::Polygon& perimeter() const { return segment->polygon->perimeter; }
   bool shared(std::size_t edge) const { return perimeter().node(chain->edges[edge]).shared; }
+  /// An addition in these coordinates, with nothing in it yet.
+  Addition frame() const { return {origin, along, inwards, {}, {}}; }
   /// Does a shared edge of the two segments begin or end at this station?
   bool anchor(std::size_t i) const { return (i > 0 && shared(i - 1)) || (i + 1 < size() && shared(i)); }
 };
@@ -48,7 +53,7 @@ Content content_of(const Side&, const Section&);
 
 /// May the section give way to L? It may be farther than λ from L only along bays that may be chance gaps
 /// (rule `voids`) and, beyond the line, along spurs (rule `spurs`).
-bool gives_way(const Setting&, const Side&, const Section&);
+bool gives_way(const Complex&, const Side&, const Section&);
 
 /// The edit of one perimeter that replaces the section by the shared edge `id` between the chart points l1
 /// and l2.

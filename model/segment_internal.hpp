@@ -9,6 +9,7 @@
 #include <limpet/geometry/polygon.hpp>
 #include <limpet/model/changes.hpp>
 
+#include "felt_internal.hpp"
 #include "fit_internal.hpp"
 #include "height_map_internal.hpp"
 #include "owned_internal.hpp"
@@ -31,6 +32,7 @@ struct PolygonPart {
   double counted_area = 0;               ///< the part of Complex::modelled_area() that is its own, λ²
   std::int64_t confirmed = 0;            ///< readings that lie on it; of an initial segment only
   std::uint64_t shape = 0;               ///< version number of the description
+  Owned<Felt> felt;                      ///< since finish() has begun to add to it; none: all of it was felt
   std::vector<geometry::EdgeId> shared;  ///< its edges that are shared with neighbours, ascending
 
   /// A chart point, or a vertex, in the world.

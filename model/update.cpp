@@ -203,6 +203,10 @@ void finish(Engine& e, const std::function<bool()>& stop) {
     mark_all(e);
     e.agenda.forget_refusals([](const SegmentPair&) { return true; });
     e.clock.lap(&StageTimes::rest);
+    while (mergers_and_fissures(e) && !e.agenda.stopped()) mark_changed(e);
+    e.complex.segments().for_each([&](const Segment& s) {
+      if (s.polygon && !s.initial()) e.complex.keep_felt(s);
+    });
     until_nothing_changes(e);
     if (e.setting.parameters.neighbours) close_what_is_open(e);
     e.agenda.finishing = e.agenda.sharing.from_shared = false;

@@ -9,18 +9,10 @@
 
 #include <limpet/geometry/measure.hpp>
 
-#include "series_internal.hpp"
+#include "chance_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
-
-/// Area of the polygon with these holes filled: the area that its points are spread over, if the holes are
-/// chance gaps.
-double area_with(const geometry::Polygon& perimeter, const std::vector<geometry::CycleId>& holes) {
-  double area = geometry::area(perimeter);
-  for (const geometry::CycleId id : holes) area -= geometry::signed_area(perimeter, perimeter.cycle(id));
-  return area;
-}
 
 /// Is a hole shared all around? Then it is the footprint of something, however small.
 bool all_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle& cycle) {
@@ -28,22 +20,16 @@ bool all_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle
   return std::all_of(vertices.begin(), vertices.end(), [](const auto& v) { return v.shared; });
 }
 
+/// What closing a hole, or a bay of this outline, adds.
+Addition addition_of(const Complex& complex, const PolygonPart& part,
+                     const std::vector<geometry::NewVertex>& outline) {
+  Addition addition = addition_on(part);
+  const double step = complex.setting().step;
+  for (const auto& v : outline) addition.outline.emplace_back(step * v.at.x, step * v.at.y);
+  return addition;
+}
+
 }  // namespace
-
-/// An area in which n points are expected is empty with probability exp(−n). Its outline may start at any of
-/// the m points, and go on from each vertex to any of the c points in the half disc of radius λ ahead: m·cᵏ
-/// shapes. It may be a chance gap if the product of both is above 10⁻³.
-bool empty_by_chance(double area, std::size_t k, std::int64_t m, double density, double gap) {
-  const double choices = std::max(1.5707963 * density * gap * gap, 2.0);
-  return density * area <
-         natural_log(1000.0 * static_cast<double>(m)) + static_cast<double>(k) * natural_log(choices);
-}
-
-bool empty_by_chance(const Setting& setting, const Segment& s, double area, std::size_t k) {
-  const auto m = s.count();
-  if (m == 0) return false;
-  return empty_by_chance(area, k, m, static_cast<double>(m) / s.polygon->perimeter.area(), setting.gap);
-}
 
 bool is_spur(const Setting& setting, double area, double depth) {
   return setting.rules().spurs && std::abs(area) < setting.gap / 2 * std::max(depth, 2 * setting.gap);
@@ -57,25 +43,18 @@ bool drop_chance_holes(Complex& complex, const Segment& s) {
     const auto& cycle = perimeter.cycles()[i];
     if (cycle.size > 0 && cycle.hole && !all_shared(perimeter, cycle)) small.push_back(geometry::CycleId{i});
   }
-  const auto m = s.count();
+  std::erase_if(small, [&](geometry::CycleId id) {
+    return !chance_explains(complex, s,
+                            addition_of(complex, *s.polygon, perimeter.vertices(perimeter.cycle(id))));
+  });
   geometry::Edit edit;
-  // The density has to leave out the area of true holes, which are not known yet. So all holes start as
-  // candidates; each one found to be true raises the density, which may show others to be true.
-  for (std::size_t before = small.size() + 1; small.size() < before;) {
-    before = small.size();
-    const double density = static_cast<double>(m) / area_with(perimeter, small);
-    std::erase_if(small, [&](geometry::CycleId id) {
-      const auto& cycle = perimeter.cycle(id);
-      return !empty_by_chance(-geometry::signed_area(perimeter, cycle), cycle.size, m, density,
-                              complex.setting().gap);
-    });
-  }
   edit.removed_cycles = small;
   if (edit.removed_cycles.empty()) return false;
   const auto all_over = [&](const BoundaryDifference&) { return s.polygon->box; };
   const auto verdict = complex.change_perimeter(
       s, false, all_over,
       [&](geometry::Polygon& polygon, geometry::EdgeIds& ids) { return polygon.change(edit, ids); });
+  if (verdict == geometry::Verdict::valid) complex.note_addition(s);
   return verdict == geometry::Verdict::valid;
 }
 

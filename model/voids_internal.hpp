@@ -10,12 +10,6 @@
 /// no surface (rule `spurs`).
 namespace limpet::model::internal {
 
-/// May an area with k vertices around it be empty by chance, if m points are spread with this density (points
-/// per unit of area)? Lengths in grid steps; `gap`: λ.
-bool empty_by_chance(double area, std::size_t k, std::int64_t m, double density, double gap);
-/// The same for a bay in the segment's perimeter, or a hole, at the density of the segment. False if it has
-/// no points.
-bool empty_by_chance(const Setting&, const Segment&, double area, std::size_t k);
 /// Drops the holes of a polygon that may be chance gaps, except footprints of other segments. Returns whether
 /// there were any.
 bool drop_chance_holes(Complex&, const Segment&);

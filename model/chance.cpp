@@ -1,0 +1,116 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include "chance_internal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "series_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+using Eigen::Vector2d;
+
+/// arccos for 0 ≤ x ≤ 1 to 7·10⁻⁵ (Abramowitz and Stegun 4.4.45), the same on every machine.
+double arc_cosine(double x) {
+  return std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - x * 0.0187293)));
+}
+
+/// The part of a disc's area on this side of a line that is `height` away from the centre, in radii.
+double part_before(double height) {
+  if (height >= 1) return 1;
+  const double h = std::max(0.0, height);
+  return 1 - (arc_cosine(h) - h * std::sqrt(1 - h * h)) / std::numbers::pi;
+}
+
+/// Looks for a place of an addition in whose largest disc that was not felt more readings are expected than
+/// chance may leave out: squares of places are divided while one of them may hold such a place.
+class VoidSearch {
+ public:
+  VoidSearch(const Complex& complex, const Segment& s, const Felt& felt, const Addition& addition)
+      : felt_(felt),
+        addition_(addition),
+        lambda_(complex.setting().lambda),
+        density_(felt.density()),
+        most_(most_expected_in_empty_disc(complex.now())) {
+    (void)s;
+    // No disc is looked at farther than where a quarter of it would be too much.
+    reach_ = std::max(lambda_, 2 * radius_of(most_)) * 1.01;
+  }
+
+  bool finds_any() const {
+    Eigen::AlignedBox2d box;
+    for (const Vector2d& p : addition_.outline) box.extend(p);
+    const Vector2d sizes = box.sizes();
+    const double side = std::clamp(sizes.minCoeff(), lambda_ / 4, 4 * lambda_);
+    for (double x = 0; x < sizes.x() || x == 0; x += side)
+      for (double y = 0; y < sizes.y() || y == 0; y += side)
+        if (finds_in(box.min() + Vector2d(x + side / 2, y + side / 2), side / 2)) return true;
+    return false;
+  }
+
+ private:
+  double radius_of(double expected) const { return std::sqrt(expected / (std::numbers::pi * density_)); }
+
+  /// Readings expected in the part of the disc that would become surface. `slack`: by which the disc may be
+  /// moved away from the limits.
+  double expected(const Vector2d& centre, double radius, double slack) const {
+    double part = 1;
+    for (const Addition::Limit& limit : addition_.limits)
+      part *= part_before(((centre - limit.through).dot(limit.inwards) + slack) / radius);
+    return density_ * std::numbers::pi * radius * radius * part;
+  }
+
+  bool holds(const Vector2d& p) const {
+    bool inside = false;
+    for (std::size_t i = 0, j = addition_.outline.size() - 1; i < addition_.outline.size(); j = i++) {
+      const Vector2d &a = addition_.outline[i], &b = addition_.outline[j];
+      if ((a.y() > p.y()) != (b.y() > p.y()) &&
+          p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
+        inside = !inside;
+    }
+    return inside;
+  }
+
+  /// In the square of this centre and half side.
+  bool finds_in(const Vector2d& centre, double half) const {
+    const double around = half * std::numbers::sqrt2;
+    const double radius =
+        felt_.distance(addition_.origin + centre.x() * addition_.x + centre.y() * addition_.y, reach_ + around);
+    if (radius + around <= lambda_ || expected(centre, radius + around, around) <= most_) return false;
+    if (radius > lambda_ && expected(centre, radius, 0) > most_ && holds(centre)) return true;
+    if (half < lambda_ / 24) return false;
+    for (const double dx : {-half / 2, half / 2})
+      for (const double dy : {-half / 2, half / 2})
+        if (finds_in(centre + Vector2d(dx, dy), half / 2)) return true;
+    return false;
+  }
+
+  const Felt& felt_;
+  const Addition& addition_;
+  double lambda_, density_, most_, reach_ = 0;
+};
+
+}  // namespace
+
+Addition addition_on(const PolygonPart& part) {
+  const double step = part.chart.step();
+  const Eigen::Vector3d origin = part.at({0, 0});
+  // The chart's axes on the plane: its tilt is at most a few degrees.
+  return {origin, (part.at({1, 0}) - origin) / step, (part.at({0, 1}) - origin) / step, {}, {}};
+}
+
+double most_expected_in_empty_disc(std::int64_t m) {
+  double a = 10;
+  for (int i = 0; i < 30; ++i) a = natural_log(200 * static_cast<double>(std::max<std::int64_t>(m, 1)) * (1 + a));
+  return a;
+}
+
+bool chance_explains(const Complex& complex, const Segment& s, const Addition& addition) {
+  if (s.count() == 0 || addition.outline.size() < 3) return false;
+  if (s.polygon->felt) return !VoidSearch(complex, s, *s.polygon->felt, addition).finds_any();
+  return !VoidSearch(complex, s, Felt(s.polygon->chart, s.polygon->perimeter, s.count()), addition).finds_any();
+}
+
+}  // namespace limpet::model::internal

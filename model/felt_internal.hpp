@@ -1,0 +1,52 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include <limpet/geometry/chart.hpp>
+#include <limpet/geometry/polygon.hpp>
+
+namespace limpet::model::internal {
+
+/// Where a polygon has been felt: its perimeter as the readings left it, before finish() added what none of
+/// them lies in. What is added later is judged by its distance from here, not from what was added before.
+class Felt {
+ public:
+  Felt() = default;
+  /// `points`: how many readings the perimeter stands for.
+  Felt(const geometry::Chart&, const geometry::Polygon&, std::int64_t points);
+
+  /// The felt parts of a polygon that has merged into this one.
+  void add(Felt&& other);
+  /// A reading that has extended the perimeter since.
+  void add(const Eigen::Vector3d& p) { readings_.push_back(p); }
+
+  /// How far a place in the plane is from the nearest that was felt, 0 inside; `within` if that is nearer.
+  double distance(const Eigen::Vector3d& p, double within) const;
+  /// Readings to a unit of area of the felt parts and half the space between two readings around them.
+  double density() const;
+  /// Has finish() added anything to the polygon?
+  bool is_all() const { return !added_to_; }
+  void note_addition() { added_to_ = true; }
+
+  /// For the archive.
+  auto members() { return std::tie(parts_, readings_, points_, area_, added_to_); }
+  auto members() const { return std::tie(parts_, readings_, points_, area_, added_to_); }
+
+  struct Part {
+    geometry::Chart chart;
+    geometry::Polygon perimeter;
+  };
+
+ private:
+  std::vector<Part> parts_;
+  std::vector<Eigen::Vector3d> readings_;
+  std::int64_t points_ = 0;
+  double area_ = 0;  ///< scan's unit squared
+  bool added_to_ = false;
+};
+
+}  // namespace limpet::model::internal
