@@ -28,15 +28,15 @@ double part_before(double height) {
 /// chance may leave out: squares of places are divided while one of them may hold such a place.
 class VoidSearch {
  public:
-  VoidSearch(const Complex& complex, const Segment& s, const Felt& felt, const Addition& addition)
+  VoidSearch(const Complex& complex, const Felt& felt, const Addition& addition)
       : felt_(felt),
         addition_(addition),
         lambda_(complex.setting().lambda),
         density_(felt.density()),
-        most_(most_expected_in_empty_disc(complex.now())) {
-    (void)s;
+        most_(most_expected_in_empty_disc(complex.now())),
+        unseen_(complex.setting().rules().near ? lambda_ / 8 : 0) {
     // No disc is looked at farther than where a quarter of it would be too much.
-    reach_ = std::max(lambda_, 2 * radius_of(most_)) * 1.01;
+    reach_ = std::max(lambda_, 2 * radius_of(most_) + unseen_) * 1.01;
   }
 
   bool finds_any() const {
@@ -56,6 +56,8 @@ class VoidSearch {
   /// Readings expected in the part of the disc that would become surface. `slack`: by which the disc may be
   /// moved away from the limits.
   double expected(const Vector2d& centre, double radius, double slack) const {
+    radius -= unseen_;
+    if (radius <= 0) return 0;
     double part = 1;
     for (const Addition::Limit& limit : addition_.limits)
       part *= part_before(((centre - limit.through).dot(limit.inwards) + slack) / radius);
@@ -76,8 +78,8 @@ class VoidSearch {
   /// In the square of this centre and half side.
   bool finds_in(const Vector2d& centre, double half) const {
     const double around = half * std::numbers::sqrt2;
-    const double radius =
-        felt_.distance(addition_.origin + centre.x() * addition_.x + centre.y() * addition_.y, reach_ + around);
+    const double radius = felt_.distance(
+        addition_.origin + centre.x() * addition_.x + centre.y() * addition_.y, reach_ + around);
     if (radius + around <= lambda_ || expected(centre, radius + around, around) <= most_) return false;
     if (radius > lambda_ && expected(centre, radius, 0) > most_ && holds(centre)) return true;
     if (half < lambda_ / 24) return false;
@@ -90,6 +92,7 @@ class VoidSearch {
   const Felt& felt_;
   const Addition& addition_;
   double lambda_, density_, most_, reach_ = 0;
+  double unseen_;  ///< by which readings may lie outside a perimeter on average (rule `near`)
 };
 
 }  // namespace
@@ -103,14 +106,15 @@ Addition addition_on(const PolygonPart& part) {
 
 double most_expected_in_empty_disc(std::int64_t m) {
   double a = 10;
-  for (int i = 0; i < 30; ++i) a = natural_log(200 * static_cast<double>(std::max<std::int64_t>(m, 1)) * (1 + a));
+  for (int i = 0; i < 30; ++i)
+    a = natural_log(200 * static_cast<double>(std::max<std::int64_t>(m, 1)) * (1 + a));
   return a;
 }
 
 bool chance_explains(const Complex& complex, const Segment& s, const Addition& addition) {
   if (s.count() == 0 || addition.outline.size() < 3) return false;
-  if (s.polygon->felt) return !VoidSearch(complex, s, *s.polygon->felt, addition).finds_any();
-  return !VoidSearch(complex, s, Felt(s.polygon->chart, s.polygon->perimeter, s.count()), addition).finds_any();
+  if (s.polygon->felt) return !VoidSearch(complex, *s.polygon->felt, addition).finds_any();
+  return !VoidSearch(complex, Felt(s.polygon->chart, s.polygon->perimeter, s.count()), addition).finds_any();
 }
 
 }  // namespace limpet::model::internal
