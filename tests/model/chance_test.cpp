@@ -52,16 +52,18 @@ TEST(Chance, TrueHolesStay) {
 
 TEST(Chance, GapsBetweenReadingsAreNoHoles) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed)
-    for (const double density : {3.0, 5.0, 10.0}) EXPECT_EQ(holes_left(seed, 0, density), 0) << "seed " << seed;
+    for (const double density : {3.0, 5.0, 10.0})
+      EXPECT_EQ(holes_left(seed, 0, density), 0) << "seed " << seed;
 }
 
-/// Facets of a curved surface are never stretched far from it, whatever their planes do. (Of some twenty readings, one
-/// may be so tilted that what chance allows in its plane is more than λ off the sphere.)
+/// Facets of a curved surface are never stretched far from it, whatever their planes do. (Of some twenty
+/// readings, one may be so tilted that what chance allows in its plane is more than λ off the sphere.)
 TEST(Chance, ASphereStaysASphere) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     const auto scene = simulation::make_scene("sphere:64");
     simulation::ScanOptions options;
-    options.points = 10'000, options.noise = 0.001, options.seed = seed, options.viewpoints = scene.viewpoints;
+    options.points = 10'000, options.noise = 0.001, options.seed = seed,
+    options.viewpoints = scene.viewpoints;
     Parameters parameters = of_resolution(0.04);
     parameters.noise = 0.001, parameters.tolerance = 0.008;
     Points points;
