@@ -20,8 +20,9 @@ namespace limpet::app {
 /// Exit codes (a contract: scripts rely on them).
 enum ExitCode : int {
   kDone = 0,
-  kFallsShort = 1,  ///< a broken invariant, a run that was interrupted, a comparison outside its bounds
-  kBadInput = 2,    ///< bad usage, damaged input, output that cannot be written
+  kFallsShort =
+      1,          ///< a broken invariant, a run that was interrupted, a comparison or evidence out of bounds
+  kBadInput = 2,  ///< bad usage, damaged input, output that cannot be written
 };
 
 struct ModelArguments {
@@ -88,6 +89,9 @@ int run(const ScanArguments&);
 
 struct CheckArguments {
   std::string model;
+  std::string scan;  ///< the scan it was made of; empty: it is judged by its laws alone
+  std::optional<Eigen::Vector3d> viewpoint;  ///< of the scan, as for `limpet model`
+  bool orient = false;                       ///< as for `limpet model`
   std::string json;
   bool quiet = false;
 };

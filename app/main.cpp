@@ -214,9 +214,23 @@ void add_scan(CLI::App& root, Command& chosen) {
 }
 
 void add_check(CLI::App& root, Command& chosen) {
-  auto& app = *root.add_subcommand("check", "Judge a model by its laws; exit 0 only if nothing is broken");
+  auto& app = *root.add_subcommand(
+      "check", "Judge a model by its laws, and by its scan; exit 0 only if nothing is broken or invented");
   const auto args = make_command<CheckArguments>(app, chosen);
   app.add_option("MODEL", args->model, "A native model file, .limpet")->required();
+  const auto scan =
+      app.add_option(
+             "--scan", args->scan,
+             "The scan it was made of: is all of the model supported by readings, and none of it seen "
+             "through?")
+          ->type_name("SCAN");
+  const auto viewpoint =
+      text_option(app, "--viewpoint", "X,Y,Z", "Where the scan's sensor stood, as for limpet model",
+                  [args](const std::string& text) { args->viewpoint = parse_vector("--viewpoint", text); })
+          ->needs(scan);
+  app.add_flag("--orient", args->orient, "Orient the scan by neighbours, as for limpet model")
+      ->needs(scan)
+      ->excludes(viewpoint);
   app.add_option("--seed", "Taken for the sake of scripts")->check(CLI::TypeValidator<std::uint64_t>());
   add_quiet_and_json(app, args->quiet, &args->json);
 }

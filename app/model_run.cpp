@@ -44,7 +44,7 @@ ModelRun::ModelRun(const ModelArguments& args, std::optional<Checkpoint> checkpo
     : args_(args),
       options_(args.checkpoint.empty() ? std::vector<CheckpointOption>{} : options_of(args)),
       from_(std::move(checkpoint)),
-      scan_(args.scan, {.viewpoint = args.viewpoint, .ignore_axes = args.orient}, interrupted),
+      scan_(open_scan(args, interrupted)),
       keeper_(args.checkpoint, args.checkpoint_every, args.scan),
       stages_(args.stages) {
   if (from_) require_same_options(args.checkpoint, *from_, options_);
@@ -52,7 +52,7 @@ ModelRun::ModelRun(const ModelArguments& args, std::optional<Checkpoint> checkpo
 
 int ModelRun::go() {
   require_points(scan_, args_);
-  if (scan_.axes_say_nothing()) warn_of_axes();
+  warn_of_axes(scan_);
   model::Model model = from_ ? resume() : begin();
   if (from_ && !catch_up()) return kFallsShort;
   from_.reset();
@@ -245,12 +245,6 @@ void ModelRun::report(const Summary& summary) const {
   std::string text = to_text(summary) + "written:";
   for (const std::string& path : args_.models) text += " " + path;
   std::fprintf(for_people(args_), "%s\n", text.c_str());
-}
-
-void ModelRun::warn_of_axes() const {
-  std::fprintf(stderr,
-               "limpet: warning: all normals or axes that %s says are zero; it is read as one without\n",
-               scan_.name().c_str());
 }
 
 void ModelRun::warn_of_density(const Summary& summary) const {

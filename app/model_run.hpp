@@ -52,7 +52,6 @@ class ModelRun {
   Summary summarise_run(const model::Model& model, const model::ModelRecord& record) const;
   void save(const model::Model& model, const model::ModelRecord& record, Outputs& outputs) const;
   void report(const Summary& summary) const;
-  void warn_of_axes() const;
   void warn_of_density(const Summary& summary) const;
 
   using Clock = std::chrono::steady_clock;

@@ -9,6 +9,17 @@ namespace limpet::app {
 
 std::FILE* for_people(const ModelArguments& args) { return args.json == "-" ? stderr : stdout; }
 
+survey::PointStream open_scan(const ModelArguments& args, const std::function<bool()>& stop) {
+  return survey::PointStream(args.scan, {.viewpoint = args.viewpoint, .ignore_axes = args.orient}, stop);
+}
+
+void warn_of_axes(survey::PointStream& scan) {
+  if (!scan.axes_say_nothing()) return;
+  std::fprintf(stderr,
+               "limpet: warning: all normals or axes that %s says are zero; it is read as one without\n",
+               scan.name().c_str());
+}
+
 void require_points(survey::PointStream& scan, const ModelArguments& args) {
   survey::require_points(scan);
   if (args.noise && args.noise->varies() && scan.first()->point.range == 0) {

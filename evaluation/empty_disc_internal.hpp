@@ -1,0 +1,43 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <limpet/evaluation/flat_polygon_internal.hpp>
+#include <limpet/evaluation/local_density_internal.hpp>
+#include <memory>
+#include <vector>
+
+namespace limpet::evaluation {
+
+/// A disc in the plane of a polygon that holds none of its readings.
+struct FlatDisc {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  double radius = 0;
+  double expected = 0;  ///< readings in its part inside the polygon
+};
+
+/// The discs that readings on a polygon leave empty. Polygon and density outlive it.
+class EmptyDiscs {
+ public:
+  /// Precondition: there is a reading.
+  EmptyDiscs(const std::vector<Eigen::Vector2d>& readings, const FlatPolygon& polygon,
+             const LocalDensity& density);
+  ~EmptyDiscs();
+  EmptyDiscs(EmptyDiscs&&) noexcept;
+  EmptyDiscs& operator=(EmptyDiscs&&) noexcept;
+
+  /// The disc that should hold the most readings. Its centre is a circumcentre of a Delaunay triangle inside
+  /// the polygon, or on the perimeter: a vertex, or one of the places between them no farther apart than
+  /// `spacing`, so that a radius there may be short by half of that. The density is the least at the readings
+  /// on the disc's rim.
+  FlatDisc emptiest(double spacing) const;
+
+  /// The reading nearest to a place.
+  Eigen::Vector2d nearest(const Eigen::Vector2d& place) const;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace limpet::evaluation
