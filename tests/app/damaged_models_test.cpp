@@ -102,7 +102,9 @@ class DamagedModels : public limpet::testing::TemporaryFolder {
   }
   bool checks(const std::string& file) {
     int code = kBadInput;
-    taken("check", [&] { code = run(CheckArguments{.model = file, .json = "", .quiet = true}); });
+    CheckArguments asked;
+    asked.model = file, asked.quiet = true;
+    taken("check", [&] { code = run(asked); });
     return code == kDone;
   }
   /// As faces known beforehand; what is taken keeps the laws.
