@@ -66,6 +66,7 @@ nlohmann::ordered_json polygon_to_json(const PolygonEvidence& polygon) {
           {"empty_centre", place_to_json(polygon.emptiest.centre)},
           {"empty_radius", polygon.emptiest.radius},
           {"empty_expected", polygon.emptiest.expected},
+          {"empty_excused", polygon.emptiest.excused},
           {"empty_area", polygon.empty_area},
           {"rays_on", polygon.rays_on},
           {"rays_through", polygon.rays_through},

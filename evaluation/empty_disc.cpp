@@ -52,6 +52,12 @@ struct EmptyDiscs::Inside {
     }
   }
 
+  FlatDisc disc(const Candidate& found, const Excuse& excuse) const {
+    const double area = polygon.area_within(found.centre, found.radius);
+    const double share = area / (M_PI * found.radius * found.radius);
+    return {found.centre, found.radius, found.density * area, excuse.holds(found.radius, share)};
+  }
+
   Vector2d nearest(const Vector2d& place) const {
     return vector(triangles.nearest_vertex({place.x(), place.y()})->point());
   }
@@ -70,20 +76,22 @@ EmptyDiscs::~EmptyDiscs() = default;
 EmptyDiscs::EmptyDiscs(EmptyDiscs&&) noexcept = default;
 EmptyDiscs& EmptyDiscs::operator=(EmptyDiscs&&) noexcept = default;
 
-FlatDisc EmptyDiscs::emptiest(double spacing) const {
+FlatDisc EmptyDiscs::emptiest(double spacing, const Excuse& excuse) const {
   std::vector<Candidate> candidates;
   inside_->add_circumcentres(candidates);
   inside_->add_perimeter(spacing, candidates);
   // The most promising first: what a disc has inside the polygon is asked of few.
   std::make_heap(candidates.begin(), candidates.end());
   FlatDisc best;
-  while (!candidates.empty() && candidates.front().most > best.expected) {
+  double most = 0;  // readings that the best one counts for
+  while (!candidates.empty() && candidates.front().most > most) {
     std::pop_heap(candidates.begin(), candidates.end());
     const Candidate next = candidates.back();
     candidates.pop_back();
     if (!next.on_perimeter && !inside_->polygon.inside(next.centre)) continue;
-    const double expected = next.density * inside_->polygon.area_within(next.centre, next.radius);
-    if (expected > best.expected) best = {next.centre, next.radius, expected};
+    const FlatDisc disc = inside_->disc(next, excuse);
+    const double counts = disc.excused ? std::min(disc.expected, excuse.chance()) : disc.expected;
+    if (counts > most) best = disc, most = counts;
   }
   return best;
 }

@@ -13,7 +13,26 @@ namespace limpet::evaluation {
 struct FlatDisc {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double radius = 0;
-  double expected = 0;  ///< readings in its part inside the polygon
+  double expected = 0;   ///< readings in its part inside the polygon
+  bool excused = false;  ///< the resolution explains it
+};
+
+/// What explains an empty disc, however dense the readings: gaps below λ are not represented, so that one
+/// inside the polygon may have a radius of λ; and a perimeter may run λ beside its readings, its corners √2
+/// λ.
+class Excuse {
+ public:
+  /// Excused discs count for no more than `chance` readings, the most that chance explains anyway.
+  Excuse(double resolution, double chance) : resolution_(resolution), chance_(chance) {}
+  double chance() const { return chance_; }
+  /// `share` of the disc is inside the polygon.
+  bool holds(double radius, double share) const {
+    constexpr double kWhole = 0.99, kCorner = 1.4142135623730951;
+    return radius <= (share > kWhole ? 1 : kCorner) * resolution_;
+  }
+
+ private:
+  double resolution_, chance_;
 };
 
 /// The discs that readings on a polygon leave empty. Polygon and density outlive it.
@@ -26,11 +45,12 @@ class EmptyDiscs {
   EmptyDiscs(EmptyDiscs&&) noexcept;
   EmptyDiscs& operator=(EmptyDiscs&&) noexcept;
 
-  /// The disc that should hold the most readings. Its centre is a circumcentre of a Delaunay triangle inside
+  /// The disc that should hold the most readings, of those above what chance explains one that is not excused
+  /// if there is any. Its centre is a circumcentre of a Delaunay triangle inside
   /// the polygon, or on the perimeter: a vertex, or one of the places between them no farther apart than
   /// `spacing`, so that a radius there may be short by half of that. The density is the least at the readings
   /// on the disc's rim.
-  FlatDisc emptiest(double spacing) const;
+  FlatDisc emptiest(double spacing, const Excuse& excuse) const;
 
   /// The reading nearest to a place.
   Eigen::Vector2d nearest(const Eigen::Vector2d& place) const;

@@ -98,8 +98,9 @@ void judge_support(const Ground& ground, const Readings& readings, double usual_
   polygon.density = density.overall();
   if (readings.on.empty()) return judge_bare(ground, usual_density, polygon);
   const EmptyDiscs discs(readings.on, ground.flat, density);
-  const FlatDisc emptiest = discs.emptiest(kSpacing * resolution);
-  polygon.emptiest = {ground.flat.raised(emptiest.centre), emptiest.radius, emptiest.expected};
+  const FlatDisc emptiest = discs.emptiest(kSpacing * resolution, {resolution, chance});
+  polygon.emptiest = {ground.flat.raised(emptiest.centre), emptiest.radius, emptiest.expected,
+                      emptiest.excused};
   polygon.empty_area = polygon.area * empty_share(ground, discs, density, chance, resolution);
 }
 
@@ -119,9 +120,8 @@ double usual_density(const std::vector<Readings>& readings, double edge) {
   return 0;
 }
 
-void judge_polygon(double resolution, double chance, PolygonEvidence& polygon) {
-  // Gaps below λ are not represented, so that a disc of less is no matter of evidence.
-  const bool judged = !polygon.given && polygon.emptiest.radius > resolution;
+void judge_polygon(double chance, PolygonEvidence& polygon) {
+  const bool judged = !polygon.given && !polygon.emptiest.excused;
   polygon.beyond_chance = judged && polygon.emptiest.expected > chance;
   polygon.unsupported = judged && polygon.emptiest.expected > kSupportMargin * chance;
   polygon.transparent =
@@ -184,7 +184,7 @@ Evidence judge_evidence(const model::ModelRecord& model, std::vector<SensorPoint
     polygon.rays_on = rays.on[i];
     polygon.rays_through = rays.through[i];
     judge_support(grounds[i], given[i], usual, evidence.chance, resolution, polygon);
-    judge_polygon(resolution, evidence.chance, polygon);
+    judge_polygon(evidence.chance, polygon);
   }
   add_up(evidence);
   return evidence;

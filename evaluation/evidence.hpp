@@ -29,6 +29,8 @@ struct EmptyDisc {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< in the polygon or on its perimeter
   double radius = 0;
   double expected = 0;  ///< readings, by the density beside it, in the part of the disc inside the polygon
+  /// The resolution explains it: its radius is no more than λ, or √2 λ where the perimeter cuts it.
+  bool excused = false;
 };
 
 struct PolygonEvidence {
@@ -41,7 +43,7 @@ struct PolygonEvidence {
   std::int64_t rays_on = 0;       ///< of the rays followed, those that end on it
   std::int64_t rays_through = 0;  ///< … and those that pass through it to a reading behind
   bool given = false;             ///< known beforehand, no matter of readings: its support is not judged
-  bool beyond_chance = false;     ///< the emptiest disc is beyond chance, and of a radius above λ
+  bool beyond_chance = false;     ///< the emptiest disc is beyond chance and not excused
   bool unsupported = false;       ///< it is by the margin, too
   bool transparent = false;       ///< more rays pass through it than stray
 };

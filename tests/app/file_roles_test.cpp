@@ -54,6 +54,8 @@ std::vector<Command> commands() {
       {{"scan", "@mesh.ply", "-o", "@s.ply", "--points", "100"},
        {{"mesh.ply", kMeshes}, {"s.ply", {"ply"}, true}}},
       {{"check", "@old.limpet", "--json", "@s.json"}, {{"old.limpet", kAny}, {"s.json", kAny, true}}},
+      {{"check", "@old.limpet", "--scan", "@scan.ply", "--json", "@s.json"},
+       {{"old.limpet", kAny}, {"scan.ply", kAny}, {"s.json", kAny, true}}},
       {{"compare", "@old.limpet", "@mesh.ply", "--json", "@s.json"},
        {{"old.limpet", {"limpet"}}, {"mesh.ply", kMeshes}, {"s.json", kAny, true}}},
       {{"compare", "--labels", "@found.txt", "@true.txt", "--polygons", "@old.limpet", "--json", "@s.json"},
