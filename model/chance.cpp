@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "series_internal.hpp"
+#include "thresholds_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -28,16 +29,17 @@ double part_before(double height) {
 /// chance may leave out: squares of places are divided while one of them may hold such a place.
 class VoidSearch {
  public:
-  VoidSearch(const Complex& complex, const Felt& felt, const Addition& addition)
-      : felt_(felt),
+  VoidSearch(const Complex& complex, const Segment& s, const Addition& addition)
+      : part_(*s.polygon),
         addition_(addition),
         lambda_(complex.setting().lambda),
-        density_(felt.density()),
+        density_(part_.felt
+                     ? part_.felt->density()
+                     : static_cast<double>(s.count()) / area_felt(part_.chart, part_.perimeter, s.count())),
         most_(most_expected_in_empty_disc(complex.now())),
-        unseen_(complex.setting().rules().near ? lambda_ / 8 : 0) {
-    // No disc is looked at farther than where a quarter of it would be too much.
-    reach_ = std::max(lambda_, 2 * radius_of(most_) + unseen_) * 1.01;
-  }
+        unseen_(complex.rules().near ? kUnextended * lambda_ : 0),
+        // No disc is looked at farther than where a quarter of it would be too much.
+        reach_(std::max(lambda_, 2 * radius_of(most_) + unseen_) * 1.01) {}
 
   bool finds_any() const {
     Eigen::AlignedBox2d box;
@@ -53,8 +55,16 @@ class VoidSearch {
  private:
   double radius_of(double expected) const { return std::sqrt(expected / (std::numbers::pi * density_)); }
 
-  /// Readings expected in the part of the disc that would become surface. `slack`: by which the disc may be
-  /// moved away from the limits.
+  /// How far a place is from where the polygon was felt.
+  double distance(const Vector2d& place, double within) const {
+    const Eigen::Vector3d p = addition_.origin + place.x() * addition_.x + place.y() * addition_.y;
+    return part_.felt ? part_.felt->distance(p, within)
+                      : distance_to(part_.chart, part_.perimeter, p, within);
+  }
+
+  /// Readings expected in the part of the disc that would become surface: at a corner of two sides, the
+  /// product of what each leaves, which is right at right angles. `slack`: by which the disc may be moved
+  /// away from the limits.
   double expected(const Vector2d& centre, double radius, double slack) const {
     radius -= unseen_;
     if (radius <= 0) return 0;
@@ -78,43 +88,47 @@ class VoidSearch {
   /// In the square of this centre and half side.
   bool finds_in(const Vector2d& centre, double half) const {
     const double around = half * std::numbers::sqrt2;
-    const double radius = felt_.distance(
-        addition_.origin + centre.x() * addition_.x + centre.y() * addition_.y, reach_ + around);
+    const double radius = distance(centre, reach_ + around);
     if (radius + around <= lambda_ || expected(centre, radius + around, around) <= most_) return false;
     if (radius > lambda_ && expected(centre, radius, 0) > most_ && holds(centre)) return true;
-    if (half < lambda_ / 24) return false;
+    if (half < kLeastPlace * lambda_) return false;
     for (const double dx : {-half / 2, half / 2})
       for (const double dy : {-half / 2, half / 2})
         if (finds_in(centre + Vector2d(dx, dy), half / 2)) return true;
     return false;
   }
 
-  const Felt& felt_;
+  const PolygonPart& part_;
   const Addition& addition_;
-  double lambda_, density_, most_, reach_ = 0;
-  double unseen_;  ///< by which readings may lie outside a perimeter on average (rule `near`)
+  double lambda_, density_, most_, unseen_, reach_;
 };
 
 }  // namespace
 
-Addition addition_on(const PolygonPart& part) {
+Addition addition_on(const PolygonPart& part, std::span<const geometry::Point2> outline) {
   const double step = part.chart.step();
   const Eigen::Vector3d origin = part.at({0, 0});
   // The chart's axes on the plane: its tilt is at most a few degrees.
-  return {origin, (part.at({1, 0}) - origin) / step, (part.at({0, 1}) - origin) / step, {}, {}};
+  Addition addition{origin, (part.at({1, 0}) - origin) / step, (part.at({0, 1}) - origin) / step, {}, {}};
+  for (const geometry::Point2 p : outline) addition.outline.emplace_back(step * p.x, step * p.y);
+  return addition;
+}
+
+Addition::Limit limit_along(const PolygonPart& part, geometry::Point2 from, geometry::Point2 to) {
+  const double step = part.chart.step();
+  const Vector2d along = Vector2d(to.x - from.x, to.y - from.y).normalized();
+  return {{step * from.x, step * from.y}, {-along.y(), along.x()}};
 }
 
 double most_expected_in_empty_disc(std::int64_t m) {
+  const double twice = 2 * static_cast<double>(std::max<std::int64_t>(m, 1));
   double a = 10;
-  for (int i = 0; i < 30; ++i)
-    a = natural_log(200 * static_cast<double>(std::max<std::int64_t>(m, 1)) * (1 + a));
+  for (int i = 0; i < 30; ++i) a = natural_log(twice / kDiscsByChance * (1 + a));
   return a;
 }
 
 bool chance_explains(const Complex& complex, const Segment& s, const Addition& addition) {
-  if (s.count() == 0 || addition.outline.size() < 3) return false;
-  if (s.polygon->felt) return !VoidSearch(complex, *s.polygon->felt, addition).finds_any();
-  return !VoidSearch(complex, Felt(s.polygon->chart, s.polygon->perimeter, s.count()), addition).finds_any();
+  return s.count() > 0 && addition.outline.size() >= 3 && !VoidSearch(complex, s, addition).finds_any();
 }
 
 }  // namespace limpet::model::internal

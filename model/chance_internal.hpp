@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "complex_internal.hpp"
@@ -20,11 +21,14 @@ struct Addition {
   std::vector<Limit> limits;
 };
 
-/// An addition whose frame is the polygon's chart, with nothing in it yet.
-Addition addition_on(const PolygonPart&);
+/// An addition of this outline, in the frame of the polygon's chart; and the side of it from one chart point
+/// to another, with the polygon on its left.
+Addition addition_on(const PolygonPart&, std::span<const geometry::Point2> outline);
+Addition::Limit limit_along(const PolygonPart&, geometry::Point2 from, geometry::Point2 to);
 
 /// The number of readings that are expected in an empty disc so large that chance leaves less than a
-/// hundredth of one in a stream of m: 2m(1 + a)e^(−a) = 0.01.
+/// hundredth of one in a stream of m: 2m(1 + a)e^(−a) = kDiscsByChance. The judge of evaluation/ works it out
+/// by itself.
 double most_expected_in_empty_disc(std::int64_t m);
 
 /// May the area be part of the surface although there is no reading in it? It may when all of it is within λ

@@ -145,7 +145,7 @@ void Complex::absorb_united(const Segment& into, const Segment& from, bool stays
 
 void Complex::keep_felt(const Segment& s) {
   PolygonPart& part = *mutable_of(s).polygon;
-  if (!part.felt) part.felt = std::make_unique<Felt>(part.chart, part.perimeter, s.count());
+  if (rules().voids && !part.felt) part.felt = std::make_unique<Felt>(part.chart, part.perimeter, s.count());
 }
 
 void Complex::felt_at(const Segment& s, const Eigen::Vector3d& p) {

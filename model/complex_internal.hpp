@@ -102,7 +102,8 @@ class Complex {
   /// identity.
   void absorb_united(const Segment& into, const Segment& from, bool stays_young);
   void allow_returns();
-  /// From now on, what is added to a polygon without a reading is told apart from what was felt.
+  /// From now on, what is added to a polygon without a reading is told apart from what was felt (rule
+  /// `voids`).
   void keep_felt(const Segment&);
   /// A reading has extended the perimeter to this place; unless finish() is at work, that makes all of it
   /// felt.

@@ -60,28 +60,18 @@ std::optional<RingPart> part_after(const Complex& complex, const Segment& s, Slo
 /// if it is a bay that may be a chance gap (rule `voids`), or a spur.
 bool gives_way(const Complex& complex, const RingPart& part) {
   const PolygonPart& polygon = *part.segment->polygon;
-  const double step = complex.setting().step;
-  Addition bay = addition_on(polygon);
-  const auto scaled = [&](Point2 p) { return Eigen::Vector2d(step * p.x, step * p.y); };
-  bay.outline.push_back(scaled(part.corner));
+  std::vector<Point2> outline{part.corner};
+  for (const Slot s : part.between) outline.push_back(polygon.perimeter.at(s));
   double twice_area = 0, depth = 0;  // of the region between P and the corner; > 0 on the right of P
-  for (std::size_t i = 0; i < part.between.size(); ++i) {
-    const Point2 p = polygon.perimeter.at(part.between[i]);
-    bay.outline.push_back(scaled(p));
-    if (i + 1 == part.between.size()) break;
-    const Point2 q = polygon.perimeter.at(part.between[i + 1]);
-    twice_area -= cross(p - part.corner, q - part.corner);
-    depth = std::max(depth, std::sqrt(squared_length(q - part.corner)));
+  for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
+    const Point2 p = outline[i] - part.corner, q = outline[i + 1] - part.corner;
+    twice_area -= cross(p, q);
+    depth = std::max(depth, std::sqrt(squared_length(q)));
   }
   if (twice_area <= 0) return is_spur(complex.setting(), twice_area / 2, depth);
-  // The two shared edges will end at the corner; the polygon is on their left.
-  for (const Slot s : {part.before, part.after}) {
-    const bool before = s == part.before;
-    const Eigen::Vector2d far = scaled(before ? polygon.perimeter.at(s) : polygon.perimeter.end(s)),
-                          corner = scaled(part.corner),
-                          along = (before ? corner - far : far - corner).normalized();
-    bay.limits.push_back({corner, {-along.y(), along.x()}});
-  }
+  Addition bay = addition_on(polygon, outline);  // up to the two shared edges, which will end at the corner
+  bay.limits.push_back(limit_along(polygon, polygon.perimeter.at(part.before), part.corner));
+  bay.limits.push_back(limit_along(polygon, part.corner, polygon.perimeter.end(part.after)));
   return chance_explains(complex, *part.segment, bay);
 }
 
@@ -107,8 +97,7 @@ Refusal fit_corner(const Complex& complex, RingPart& part, const SharingReach& r
     reached = (p + t * d - *corner).squaredNorm() < lambda2;
   }
   if (!reached) return Refusal::corner_far;
-  const Owned<Felt>& felt = polygon.felt;
-  const bool doubtful = far || (reach.section > 1 && felt && !felt->is_all());
+  const bool doubtful = far || (reach.section > 1 && !polygon.all_felt());
   if (doubtful && !(reach.section > 1 && gives_way(complex, part))) return Refusal::corner_bay;
   // e₁ and e₂ keep their directions, and a least length.
   const Point2 u = polygon.perimeter.at(part.before), w = polygon.perimeter.end(part.after);

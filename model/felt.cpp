@@ -22,12 +22,25 @@ double length_of_boundary(const geometry::Polygon& perimeter) {
 
 }  // namespace
 
-Felt::Felt(const geometry::Chart& chart, const geometry::Polygon& perimeter, std::int64_t points)
-    : points_(points) {
-  parts_.push_back({chart, perimeter});
+double distance_to(const geometry::Chart& chart, const geometry::Polygon& perimeter, const Eigen::Vector3d& p,
+                   double within) {
+  const double step = chart.step();
+  const geometry::Point2 q = geometry::round_to_grid(chart.project(p));
+  if (!perimeter.box().grown(within / step).contains(q)) return within;
+  if (perimeter.locate(q) != geometry::Polygon::Side::outside) return 0;
+  const auto nearest = geometry::nearest_perimeter_point(perimeter, q, within / step);
+  return nearest ? std::sqrt(nearest->squared_distance) * step : within;
+}
+
+double area_felt(const geometry::Chart& chart, const geometry::Polygon& perimeter, std::int64_t points) {
   // A perimeter goes through the outermost readings; the surface goes on for half the space between two.
   const double area = std::max(perimeter.area(), 1.0), m = std::max(1.0, static_cast<double>(points));
-  area_ = (area + length_of_boundary(perimeter) * std::sqrt(area / m) / 2) * chart.step() * chart.step();
+  return (area + length_of_boundary(perimeter) * std::sqrt(area / m) / 2) * chart.step() * chart.step();
+}
+
+Felt::Felt(const geometry::Chart& chart, const geometry::Polygon& perimeter, std::int64_t points)
+    : points_(points), area_(area_felt(chart, perimeter, points)) {
+  parts_.push_back({chart, perimeter});
 }
 
 void Felt::add(Felt&& other) {
@@ -40,15 +53,7 @@ void Felt::add(Felt&& other) {
 }
 
 double Felt::distance(const Eigen::Vector3d& p, double within) const {
-  for (const Part& part : parts_) {
-    const double step = part.chart.step();
-    const geometry::Point2 q = geometry::round_to_grid(part.chart.project(p));
-    if (part.perimeter.box().grown(within / step).contains(q)) {
-      if (part.perimeter.locate(q) != geometry::Polygon::Side::outside) return 0;
-      if (const auto nearest = geometry::nearest_perimeter_point(part.perimeter, q, within / step))
-        within = std::sqrt(nearest->squared_distance) * step;
-    }
-  }
+  for (const Part& part : parts_) within = distance_to(part.chart, part.perimeter, p, within);
   for (const Eigen::Vector3d& reading : readings_) within = std::min(within, (reading - p).norm());
   return within;
 }

@@ -15,6 +15,11 @@ namespace limpet::model::internal {
 /// them lies in. What is added later is judged by its distance from here, not from what was added before.
 class Felt {
  public:
+  struct Part {
+    geometry::Chart chart;
+    geometry::Polygon perimeter;
+  };
+
   Felt() = default;
   /// `points`: how many readings the perimeter stands for.
   Felt(const geometry::Chart&, const geometry::Polygon&, std::int64_t points);
@@ -32,14 +37,12 @@ class Felt {
   bool is_all() const { return !added_to_; }
   void note_addition() { added_to_ = true; }
 
+  const std::vector<Part>& parts() const { return parts_; }
+  std::int64_t points() const { return points_; }
+  double area() const { return area_; }
   /// For the archive.
   auto members() { return std::tie(parts_, readings_, points_, area_, added_to_); }
   auto members() const { return std::tie(parts_, readings_, points_, area_, added_to_); }
-
-  struct Part {
-    geometry::Chart chart;
-    geometry::Polygon perimeter;
-  };
 
  private:
   std::vector<Part> parts_;
@@ -48,5 +51,9 @@ class Felt {
   double area_ = 0;  ///< scan's unit squared
   bool added_to_ = false;
 };
+
+/// The same of a polygon all of which was felt: the distance to it, and the area that its readings stand for.
+double distance_to(const geometry::Chart&, const geometry::Polygon&, const Eigen::Vector3d& p, double within);
+double area_felt(const geometry::Chart&, const geometry::Polygon&, std::int64_t points);
 
 }  // namespace limpet::model::internal

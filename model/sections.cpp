@@ -95,8 +95,7 @@ Content content_of(const Side& side, const Section& section) {
 bool gives_way(const Complex& complex, const Side& side, const Section& section) {
   const Setting& setting = complex.setting();
   const double lambda = setting.lambda, near = lambda / 4;
-  const Owned<Felt>& felt = side.segment->polygon->felt;
-  const bool all_felt = !felt || felt->is_all();
+  const bool all_felt = side.segment->polygon->all_felt();
   // The bay or spur that the walk along the section is in, its signed area (> 0: a bay) and extreme offsets.
   Addition bay = side.frame();
   bay.limits.push_back({{0, 0}, {0, 1}});

@@ -38,6 +38,7 @@ struct PolygonPart {
   /// A chart point, or a vertex, in the world.
   Eigen::Vector3d at(geometry::Point2 p) const { return chart.at(p, published(p)); }
   Eigen::Vector3d position(geometry::Slot s) const { return at(perimeter.at(s)); }
+  bool all_felt() const { return !felt || felt->is_all(); }
   geometry::Plane plane() const { return published.plane(chart); }
 };
 

@@ -9,7 +9,7 @@
 namespace limpet::model::internal {
 namespace {
 
-void require(bool good, const char* what) {
+void require_parameter(bool good, const char* what) {
   if (!good) throw std::invalid_argument(what);
 }
 
@@ -17,19 +17,22 @@ void require(bool good, const char* what) {
 
 Setting::Setting(const Parameters& p) : parameters(p) {
   const auto finite = [](double x) { return std::isfinite(x); };
-  require(finite(p.resolution) && p.resolution > 0, "the linear resolution must be a length greater than 0");
-  require(finite(p.angle_rad) && p.angle_rad > 0 && p.angle_rad < 1.5707,
-          "the angular resolution must lie between 0 and 90 degrees");
-  require(finite(p.noise) && p.noise >= 0, "the noise must be a length of 0 or more");
-  require(finite(p.noise_per_range) && p.noise_per_range >= 0 && finite(p.noise_per_range2) &&
-              p.noise_per_range2 >= 0,
-          "what the noise grows by with the range must be 0 or more");
-  require(finite(p.tolerance) && p.tolerance >= 0, "the tolerance must be a length of 0 or more");
-  require(finite(p.input_quantum) && p.input_quantum >= 0, "the input quantum must be a length of 0 or more");
-  require(p.redundancy_count >= 0 && p.redundancy_ratio >= 0,
-          "the redundancy thresholds ψ and φ must be 0 or more");
-  require(p.outlier_patience >= 0, "the patience with outliers must be a number of sensor points, 0 or more");
-  require(p.resolution > 1e-150 && p.resolution < 1e150, "the linear resolution is out of range");
+  require_parameter(finite(p.resolution) && p.resolution > 0,
+                    "the linear resolution must be a length greater than 0");
+  require_parameter(finite(p.angle_rad) && p.angle_rad > 0 && p.angle_rad < 1.5707,
+                    "the angular resolution must lie between 0 and 90 degrees");
+  require_parameter(finite(p.noise) && p.noise >= 0, "the noise must be a length of 0 or more");
+  require_parameter(finite(p.noise_per_range) && p.noise_per_range >= 0 && finite(p.noise_per_range2) &&
+                        p.noise_per_range2 >= 0,
+                    "what the noise grows by with the range must be 0 or more");
+  require_parameter(finite(p.tolerance) && p.tolerance >= 0, "the tolerance must be a length of 0 or more");
+  require_parameter(finite(p.input_quantum) && p.input_quantum >= 0,
+                    "the input quantum must be a length of 0 or more");
+  require_parameter(p.redundancy_count >= 0 && p.redundancy_ratio >= 0,
+                    "the redundancy thresholds ψ and φ must be 0 or more");
+  require_parameter(p.outlier_patience >= 0,
+                    "the patience with outliers must be a number of sensor points, 0 or more");
+  require_parameter(p.resolution > 1e-150 && p.resolution < 1e150, "the linear resolution is out of range");
   lambda = p.resolution;
   lambda2 = p.resolution * p.resolution;
   step = geometry::grid_step_for(p.resolution);

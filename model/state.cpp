@@ -56,7 +56,7 @@ void describe_dues(Archive& archive, const Complex& complex, AnyAgenda& agenda) 
 }
 
 [[noreturn]] void refuse(const char* what) { Reader::refuse(what); }
-[[noreturn]] void refuse_edge(geometry::EdgeId) { Reader::refuse("has a shared edge without a partner"); }
+[[noreturn]] void refuse_unpaired(geometry::EdgeId) { Reader::refuse("has a shared edge without a partner"); }
 
 }  // namespace
 
@@ -104,7 +104,7 @@ void StoredState::restore(Engine& e) const {
   Storage::list_segments(e.complex, refuse);
   Storage::set_confirmations(e.complex, confirmations, refuse);
   require_sound(e, successors);
-  Storage::pair_edges(e.complex, partners, refuse_edge);
+  Storage::pair_edges(e.complex, partners, refuse_unpaired);
   Storage::set_successors(e.successors, successors);
   Storage::fill_index(e.complex);
 }

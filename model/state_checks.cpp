@@ -56,6 +56,12 @@ void require_raw_point(const Engine& e, const RawPoint& raw) {
   require_state(raw.returned >= 0 && raw.since <= e.complex.now(), "has a point with a past of its own");
 }
 
+void require_felt(const Engine& e, const Felt& felt) {
+  require_state(felt.points() >= 0 && felt.area() > 0 && !felt.parts().empty(), "was felt nowhere");
+  for (const Felt::Part& part : felt.parts())
+    require_state(part.chart.step() == e.setting.step, "was felt on another grid");
+}
+
 void require_segment(const Engine& e, const Segment& s) {
   require_state(s.id.value > 0 && s.id.value < Storage::next_segment(e.complex),
                 "has an identity that was not given yet");
@@ -72,7 +78,9 @@ void require_segment(const Engine& e, const Segment& s) {
                 "has a segment too far away");
   require_state(Storage::has_polygon_due(e.agenda, s.slot) == bool(s.polygon),
                 "has a worklist of a segment of another kind");
-  if (s.polygon) require_state(s.polygon->chart.step() == e.setting.step, "has a polygon on another grid");
+  if (!s.polygon) return;
+  require_state(s.polygon->chart.step() == e.setting.step, "has a polygon on another grid");
+  if (s.polygon->felt) require_felt(e, *s.polygon->felt);
 }
 
 }  // namespace

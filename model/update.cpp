@@ -130,6 +130,16 @@ void until_nothing_changes(Engine& e) {
   }
 }
 
+/// Mergers and fissures close gaps below λ, which is no addition; after them, the perimeters are what
+/// readings made.
+void keep_what_was_felt(Engine& e) {
+  for (int round = 0; round < kMaxFinishRounds && mergers_and_fissures(e) && !e.agenda.stopped(); ++round)
+    mark_changed(e);
+  e.complex.segments().for_each([&](const Segment& s) {
+    if (s.polygon && !s.initial()) e.complex.keep_felt(s);
+  });
+}
+
 /// Edges may still be open because of chance gaps, so sections are searched for farther from their lines.
 /// After that, short edges may make neighbours as well, where longer ones have not met in a corner.
 void close_what_is_open(Engine& e) {
@@ -203,10 +213,7 @@ void finish(Engine& e, const std::function<bool()>& stop) {
     mark_all(e);
     e.agenda.forget_refusals([](const SegmentPair&) { return true; });
     e.clock.lap(&StageTimes::rest);
-    while (mergers_and_fissures(e) && !e.agenda.stopped()) mark_changed(e);
-    e.complex.segments().for_each([&](const Segment& s) {
-      if (s.polygon && !s.initial()) e.complex.keep_felt(s);
-    });
+    keep_what_was_felt(e);
     until_nothing_changes(e);
     if (e.setting.parameters.neighbours) close_what_is_open(e);
     e.agenda.finishing = e.agenda.sharing.from_shared = false;

@@ -20,13 +20,11 @@ bool all_shared(const geometry::Polygon& polygon, const geometry::Polygon::Cycle
   return std::all_of(vertices.begin(), vertices.end(), [](const auto& v) { return v.shared; });
 }
 
-/// What closing a hole, or a bay of this outline, adds.
-Addition addition_of(const Complex& complex, const PolygonPart& part,
-                     const std::vector<geometry::NewVertex>& outline) {
-  Addition addition = addition_on(part);
-  const double step = complex.setting().step;
-  for (const auto& v : outline) addition.outline.emplace_back(step * v.at.x, step * v.at.y);
-  return addition;
+/// What closing a hole adds.
+Addition filling(const PolygonPart& part, const geometry::Polygon::Cycle& hole) {
+  std::vector<geometry::Point2> outline;
+  for (const auto& vertex : part.perimeter.vertices(hole)) outline.push_back(vertex.at);
+  return addition_on(part, outline);
 }
 
 }  // namespace
@@ -44,8 +42,7 @@ bool drop_chance_holes(Complex& complex, const Segment& s) {
     if (cycle.size > 0 && cycle.hole && !all_shared(perimeter, cycle)) small.push_back(geometry::CycleId{i});
   }
   std::erase_if(small, [&](geometry::CycleId id) {
-    return !chance_explains(complex, s,
-                            addition_of(complex, *s.polygon, perimeter.vertices(perimeter.cycle(id))));
+    return !chance_explains(complex, s, filling(*s.polygon, perimeter.cycle(id)));
   });
   geometry::Edit edit;
   edit.removed_cycles = small;

@@ -225,7 +225,8 @@ TEST(State, DamagedOnPurposeIsNoCrash) {
 
 TEST(State, OfSomethingElseIsRefused) {
   for (const std::string bytes : {"", "limpet", "limpet 1\n", "limpet model state 2 exact\n",
-                                  "limpet model state 1 exact\n", "limpet model state 1 wrong\n12345678"})
+                                  "limpet model state 1 exact\n", "limpet model state 1 wrong\n12345678",
+                                  "limpet model state 3 exact\n", "limpet model state 3 wrong\n12345678"})
     EXPECT_THROW(Model::from_state(bytes), std::invalid_argument) << bytes;
 }
 
