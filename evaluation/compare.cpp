@@ -33,14 +33,6 @@ DistanceSummary summary(const std::vector<Triangle3>& from, const NearestSurface
   return result;
 }
 
-std::vector<std::pair<Vector3d, Vector3d>> boundary_segments(const PlanarFace& face) {
-  std::vector<std::pair<Vector3d, Vector3d>> segments;
-  for (const auto& cycle : face.cycles)
-    for (std::size_t i = 0; i < cycle.size(); ++i)
-      segments.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
-  return segments;
-}
-
 double farthest(const PlanarFace& from, const PlanarFace& to, double spacing) {
   const NearestLine line(boundary_segments(to));
   double result = 0;

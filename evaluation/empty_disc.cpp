@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limpet/evaluation/empty_disc_internal.hpp>
+#include <numbers>
 
 namespace limpet::evaluation {
 namespace {
@@ -24,7 +25,7 @@ struct Candidate {
 };
 
 Candidate candidate(const Vector2d& centre, double radius, double density, bool on_perimeter) {
-  return {centre, radius, density, density * M_PI * radius * radius, on_perimeter};
+  return {centre, radius, density, density * std::numbers::pi * radius * radius, on_perimeter};
 }
 
 }  // namespace
@@ -45,8 +46,8 @@ struct EmptyDiscs::Inside {
     }
   }
 
-  void add_perimeter(double spacing, std::vector<Candidate>& candidates) const {
-    for (const Vector2d& place : polygon.along_perimeter(spacing)) {
+  void add_perimeter(const std::vector<Vector2d>& places, std::vector<Candidate>& candidates) const {
+    for (const Vector2d& place : places) {
       const Vector2d rim = nearest(place);
       candidates.push_back(candidate(place, (place - rim).norm(), density.at(rim), true));
     }
@@ -54,7 +55,7 @@ struct EmptyDiscs::Inside {
 
   FlatDisc disc(const Candidate& found, const Excuse& excuse) const {
     const double area = polygon.area_within(found.centre, found.radius);
-    const double share = area / (M_PI * found.radius * found.radius);
+    const double share = area / (std::numbers::pi * found.radius * found.radius);
     return {found.centre, found.radius, found.density * area, excuse.holds(found.radius, share)};
   }
 
@@ -76,10 +77,10 @@ EmptyDiscs::~EmptyDiscs() = default;
 EmptyDiscs::EmptyDiscs(EmptyDiscs&&) noexcept = default;
 EmptyDiscs& EmptyDiscs::operator=(EmptyDiscs&&) noexcept = default;
 
-FlatDisc EmptyDiscs::emptiest(double spacing, const Excuse& excuse) const {
+FlatDisc EmptyDiscs::emptiest(const std::vector<Vector2d>& perimeter, const Excuse& excuse) const {
   std::vector<Candidate> candidates;
   inside_->add_circumcentres(candidates);
-  inside_->add_perimeter(spacing, candidates);
+  inside_->add_perimeter(perimeter, candidates);
   // The most promising first: what a disc has inside the polygon is asked of few.
   std::make_heap(candidates.begin(), candidates.end());
   FlatDisc best;

@@ -45,12 +45,11 @@ class EmptyDiscs {
   EmptyDiscs(EmptyDiscs&&) noexcept;
   EmptyDiscs& operator=(EmptyDiscs&&) noexcept;
 
-  /// The disc that should hold the most readings, of those above what chance explains one that is not excused
-  /// if there is any. Its centre is a circumcentre of a Delaunay triangle inside
-  /// the polygon, or on the perimeter: a vertex, or one of the places between them no farther apart than
-  /// `spacing`, so that a radius there may be short by half of that. The density is the least at the readings
-  /// on the disc's rim.
-  FlatDisc emptiest(double spacing, const Excuse& excuse) const;
+  /// The disc that should hold the most readings, where an excused one counts for no more than chance
+  /// explains. Its centre is a circumcentre of a Delaunay triangle inside the polygon, or one of the places
+  /// along the `perimeter`: a radius there may be short by half of what these are apart. The density is the
+  /// least at the readings on the disc's rim.
+  FlatDisc emptiest(const std::vector<Eigen::Vector2d>& perimeter, const Excuse& excuse) const;
 
   /// The reading nearest to a place.
   Eigen::Vector2d nearest(const Eigen::Vector2d& place) const;

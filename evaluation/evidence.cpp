@@ -7,6 +7,7 @@
 #include <limpet/evaluation/empty_disc_internal.hpp>
 #include <limpet/evaluation/footing_internal.hpp>
 #include <limpet/evaluation/see_through_internal.hpp>
+#include <numbers>
 #include <stdexcept>
 #include <tuple>
 
@@ -74,7 +75,7 @@ double empty_share(const Ground& ground, const EmptyDiscs& discs, const LocalDen
   const auto empty = std::count_if(places.begin(), places.end(), [&](const Vector3d& world) {
     const Vector2d place = ground.flat.flat(world), nearest = discs.nearest(place);
     const double radius = (place - nearest).norm();
-    return radius > resolution && density.at(nearest) * M_PI * radius * radius > chance;
+    return radius > resolution && density.at(nearest) * std::numbers::pi * radius * radius > chance;
   });
   return static_cast<double>(empty) / static_cast<double>(places.size());
 }
@@ -98,7 +99,10 @@ void judge_support(const Ground& ground, const Readings& readings, double usual_
   polygon.density = density.overall();
   if (readings.on.empty()) return judge_bare(ground, usual_density, polygon);
   const EmptyDiscs discs(readings.on, ground.flat, density);
-  const FlatDisc emptiest = discs.emptiest(kSpacing * resolution, {resolution, chance});
+  std::vector<Vector2d> perimeter;
+  for (const Vector3d& place : along_boundary(ground.region.face, kSpacing * resolution))
+    perimeter.push_back(ground.flat.flat(place));
+  const FlatDisc emptiest = discs.emptiest(perimeter, {resolution, chance});
   polygon.emptiest = {ground.flat.raised(emptiest.centre), emptiest.radius, emptiest.expected,
                       emptiest.excused};
   polygon.empty_area = polygon.area * empty_share(ground, discs, density, chance, resolution);

@@ -77,13 +77,4 @@ double FlatPolygon::area_within(const Vector2d& centre, double radius) const {
   return std::max(area, 0.0);
 }
 
-std::vector<Vector2d> FlatPolygon::along_perimeter(double spacing) const {
-  std::vector<Vector2d> places;
-  each_edge([&](const Vector2d& a, const Vector2d& b) {
-    const double pieces = std::max(1.0, std::ceil((b - a).norm() / spacing));
-    for (double k = 0; k < pieces; ++k) places.push_back(a + k / pieces * (b - a));
-  });
-  return places;
-}
-
 }  // namespace limpet::evaluation

@@ -22,8 +22,6 @@ class FlatPolygon {
   bool inside(const Eigen::Vector2d& place) const;
   /// Area of the part within a disc.
   double area_within(const Eigen::Vector2d& centre, double radius) const;
-  /// All vertices, and places between them no farther apart than this.
-  std::vector<Eigen::Vector2d> along_perimeter(double spacing) const;
 
  private:
   template <class Visit>

@@ -31,12 +31,12 @@ std::vector<Ground> grounds_of(const model::ModelRecord& model) {
 }
 
 Tolerance::Tolerance(const model::ModelRecord& model)
-    : parameters_(model.parameters), rounding_(2 * model.grid_step + model.parameters.input_quantum) {}
+    : noise_{model.parameters.noise, model.parameters.noise_per_range, model.parameters.noise_per_range2},
+      least_(model.parameters.tolerance),
+      rounding_(2 * model.grid_step + model.parameters.input_quantum) {}
 
 double Tolerance::at(double range) const {
-  const double deviation =
-      parameters_.noise + (parameters_.noise_per_range + parameters_.noise_per_range2 * range) * range;
-  return std::max(parameters_.tolerance, kDeviations * deviation) + rounding_;
+  return std::max(least_, kDeviations * noise_.at(range)) + rounding_;
 }
 
 struct Footing::Index {

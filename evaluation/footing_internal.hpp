@@ -5,8 +5,9 @@
 #include <functional>
 #include <limpet/evaluation/flat_polygon_internal.hpp>
 #include <limpet/evaluation/region.hpp>
-#include <limpet/model/parameters.hpp>
+#include <limpet/model/record.hpp>
 #include <limpet/model/sensor_point.hpp>
+#include <limpet/survey/noise_law.hpp>
 #include <memory>
 #include <vector>
 
@@ -28,8 +29,8 @@ class Tolerance {
   double at(double range) const;
 
  private:
-  model::Parameters parameters_;
-  double rounding_;
+  survey::NoiseLaw noise_;
+  double least_, rounding_;
 };
 
 /// Which polygons readings lie on.

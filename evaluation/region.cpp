@@ -82,6 +82,14 @@ std::vector<Vector3d> along_boundary(const PlanarFace& face, double spacing) {
   return points;
 }
 
+std::vector<std::pair<Vector3d, Vector3d>> boundary_segments(const PlanarFace& face) {
+  std::vector<std::pair<Vector3d, Vector3d>> segments;
+  for (const auto& cycle : face.cycles)
+    for (std::size_t i = 0; i < cycle.size(); ++i)
+      segments.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
+  return segments;
+}
+
 std::vector<int> matches(const std::vector<Region>& polygons, const std::vector<Region>& candidates,
                          double reach, double max_angle_rad) {
   const double cos_max = std::cos(max_angle_rad);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <limpet/evaluation/nearest.hpp>
 #include <limpet/evaluation/planar_face.hpp>
+#include <utility>
 #include <vector>
 
 namespace limpet::evaluation {
@@ -30,6 +31,9 @@ std::vector<Eigen::Vector3d> spread_over(const std::vector<Triangle3>& triangles
 
 /// Points along all boundary cycles, every vertex among them, none farther than `spacing` from the next.
 std::vector<Eigen::Vector3d> along_boundary(const PlanarFace& face, double spacing);
+
+/// The edges of all boundary cycles.
+std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> boundary_segments(const PlanarFace& face);
 
 /// Which of `candidates` each polygon lies on: faces the same way within `max_angle_rad`, and has the largest
 /// share of its area within `reach`, near parts weighing more; −1 if less than half of its area lies on

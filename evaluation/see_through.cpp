@@ -97,19 +97,11 @@ class Perimeters {
   explicit Perimeters(const std::vector<Ground>& grounds) : grounds_(grounds), lines_(grounds.size()) {}
 
   double distance(int polygon, const Vector3d& from) {
-    if (!lines_[polygon]) lines_[polygon].emplace(edges_of(grounds_[polygon].region.face));
+    if (!lines_[polygon]) lines_[polygon].emplace(boundary_segments(grounds_[polygon].region.face));
     return lines_[polygon]->distance(from);
   }
 
  private:
-  static std::vector<std::pair<Vector3d, Vector3d>> edges_of(const PlanarFace& face) {
-    std::vector<std::pair<Vector3d, Vector3d>> edges;
-    for (const auto& cycle : face.cycles)
-      for (std::size_t i = 0; i < cycle.size(); ++i)
-        edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
-    return edges;
-  }
-
   const std::vector<Ground>& grounds_;
   std::vector<std::optional<NearestLine>> lines_;
 };

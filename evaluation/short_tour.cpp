@@ -7,7 +7,6 @@
 namespace limpet::evaluation {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kLeastGain = 1e-9;  // of a tour's leg: less is rounding
 
 ShortTour by_nearest_neighbour(const RoadMap& map, std::size_t places) {
@@ -16,7 +15,8 @@ ShortTour by_nearest_neighbour(const RoadMap& map, std::size_t places) {
   visited[0] = 1;
   for (;;) {
     const auto next = map.nearest(
-        tour.order.back(), [&](std::size_t place) { return visited[place] == 0; }, kInfinite);
+        tour.order.back(), [&](std::size_t place) { return visited[place] == 0; },
+        std::numeric_limits<double>::infinity());
     if (next.to == tour.order.back()) break;
     visited[next.to] = 1;
     tour.order.push_back(next.to);
