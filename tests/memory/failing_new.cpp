@@ -31,7 +31,7 @@ void* request_or_null(std::size_t size) noexcept {
 }  // namespace
 
 /// What a union gives up when memory runs out (geometry/outline.cpp) is known.
-// NOLINTNEXTLINE(readability-identifier-naming): a name of the sanitizer
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): a name of the sanitizer
 extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }
 
 namespace limpet::memory {
