@@ -2,6 +2,8 @@
 #include <limpet/app/toml_section_internal.hpp>
 
 #define TOML_HEADER_ONLY 1
+// Where damaged text breaks its assertions, it goes on to an error that says what is wrong.
+#define TOML_ASSERT(expr) static_assert(true)
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <filesystem>
 #include <limits>
 #include <limpet/io/error.hpp>
+#include <string_view>
 #include <utility>
 
 namespace limpet::app {
@@ -54,6 +57,40 @@ std::optional<double> to_number(const toml::node& node, Numbers which) {
   return number && is_one(*number, which) ? number : std::nullopt;
 }
 
+/// Where a string or comment that begins at `at` ends: behind its last character.
+std::size_t end_of_span(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  if (quote == '#') return std::min(text.find('\n', at), text.size());
+  const std::string three(3, quote);
+  const bool lines = text.substr(at, 3) == three;
+  for (std::size_t i = at + (lines ? 3 : 1); i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"')
+      ++i;
+    else if (lines ? text.substr(i, 3) == three : text[i] == quote)
+      return i + (lines ? 3 : 1);
+    else if (text[i] == '\n' && !lines)
+      return i;
+  }
+  return text.size();
+}
+
+/// TOML has characters beyond ASCII in strings and comments alone. The parser (3.3) may do anything with
+/// others.
+void require_ascii_syntax(std::string_view text, const std::string& path) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  for (std::size_t at = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; at < text.size();) {
+    if (text[at] == '#' || text[at] == '"' || text[at] == '\'') {
+      at = end_of_span(text, at);
+      continue;
+    }
+    if (static_cast<unsigned char>(text[at]) >= 0x80)
+      throw io::InputError(
+          path + ":" + std::to_string(1 + std::ranges::count(text.substr(0, at), '\n')),
+          "has a character beyond ASCII outside strings and comments; put the text in quotes");
+    ++at;
+  }
+}
+
 /// A parser's message may have line breaks; ours is one line.
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -73,6 +110,7 @@ TomlSection::~TomlSection() = default;
 TomlSection::TomlSection(TomlSection&&) noexcept = default;
 
 TomlSection TomlSection::parse(const std::string& text, const std::string& path) {
+  require_ascii_syntax(text, path);
   try {
     auto inside = std::make_unique<Inside>();
     inside->file = std::make_shared<const toml::table>(toml::parse(text, path));

@@ -256,6 +256,16 @@ TEST_F(SceneFileTest, WhatIsNoTomlIsAnErrorWithItsLine) {
   }
 }
 
+TEST_F(SceneFileTest, CharactersBeyondAsciiAreForStringsAndComments) {
+  for (const std::string text : {"\xC3\xA9 = 1", "[\xC3\xA9]", "x = 1 \xC3\xA9", "\xC2\xA0x = 1",
+                                 "x = '''\n''' \xE2\x82\xAC", "x = \"\\\"\" \xE2\x82\xAC"})
+    EXPECT_NE(complaint("# a line\n" + text + "\n").find("beyond ASCII"), std::string::npos) << text;
+  EXPECT_TRUE(complaint("# a line\nx = 1 \xC3\xA9\n").starts_with("scene.toml:2: "));
+  for (const std::string text : {"# \xC3\xA9 'no string\n", "# \"\n", "\xEF\xBB\xBF"})
+    EXPECT_EQ(complaint(text + "[world]\nshape = \"cube\"\n"), "") << text;
+  EXPECT_EQ(complaint("[world]\nshape = \"\xC3\xA9\"\n").find("beyond ASCII"), std::string::npos);
+}
+
 TEST_F(SceneFileTest, DamagedFilesAreScenesOrErrorsInOneLine) {
   const std::string whole = read(LIMPET_SOURCE_DIR "/scenes/noisy_L.toml");
   survey::Random random(1);
