@@ -16,11 +16,26 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 namespace limpet::app {
 namespace {
 
 std::string name_of_model(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+/// As far as its lines are no longer than the oracle reads them: what has no lines may have no end.
+void keep_lines(std::istream& from, std::ostream& to) {
+  std::vector<char> piece(1 << 16);
+  std::size_t without_line = 0;
+  while (without_line <= audit::kLongestLine &&
+         (from.read(piece.data(), std::ssize(piece)), from.gcount() > 0)) {
+    const std::string_view read(piece.data(), static_cast<std::size_t>(from.gcount()));
+    to << read;
+    const std::size_t last = read.rfind('\n');
+    without_line = last == read.npos ? without_line + read.size() : read.size() - last - 1;
+  }
+}
 
 /// What can be read only once is kept where it is to be read `twice`: by the oracle, and by the program.
 std::unique_ptr<std::istream> open_model(const std::string& path, bool twice) {
@@ -34,7 +49,7 @@ std::unique_ptr<std::istream> open_model(const std::string& path, bool twice) {
   }
   if (!twice || (path != "-" && std::filesystem::is_regular_file(path))) return file;
   auto kept = std::make_unique<std::stringstream>();
-  *kept << file->rdbuf();
+  keep_lines(*file, *kept);
   return kept;
 }
 

@@ -89,9 +89,9 @@ int run(const ScanArguments&);
 
 struct CheckArguments {
   std::string model;
-  std::string scan;  ///< the scan it was made of; empty: it is judged by its laws alone
-  std::optional<Eigen::Vector3d> viewpoint;  ///< of the scan, as for `limpet model`
-  bool orient = false;                       ///< as for `limpet model`
+  std::string scan{};  ///< the scan it was made of; empty: it is judged by its laws alone
+  std::optional<Eigen::Vector3d> viewpoint{};  ///< of the scan, as for `limpet model`
+  bool orient = false;                         ///< as for `limpet model`
   std::string json;
   bool quiet = false;
 };

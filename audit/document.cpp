@@ -30,9 +30,6 @@ bool read_number(std::string_view text, Number& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-// No line of a model comes near it; without a limit an endless line would be read until memory is full.
-constexpr std::size_t kLongestLine = std::size_t{1} << 20;
-
 class Reader {
  public:
   explicit Reader(std::istream& input) : input_(input), line_(kLongestLine + 1) { advance(); }

@@ -86,6 +86,10 @@ class DocumentError : public std::runtime_error {
   std::size_t line_;
 };
 
+/// Bytes of the longest line that is read. No line of a model comes near it; without a limit an endless line
+/// would be read until memory is full.
+inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+
 /// Parses a native model file (docs/native_format.md). Throws DocumentError, also for a line of more than
 /// 1 MiB. Memory use is proportional to the length of the input, whatever counts it claims.
 Document parse_document(std::istream& input);

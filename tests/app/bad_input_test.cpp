@@ -179,6 +179,8 @@ TEST_F(BadInput, AnEdgeWithoutAnIdentity) {
 /// A file without lines is not read to its end, which may never come.
 TEST_F(BadInput, EndlessLines) {
   expect_refused(run({"check", "/dev/zero"}), "more than 1 MiB");
+  // With a scan the model is read twice, so that it is kept first.
+  expect_refused(run({"check", "/dev/zero", "--scan", scan("s.ply", "cube", 100)}), "more than 1 MiB");
   expect_refused(run({"draw", "/dev/zero", "-o", path("p.png")}), "longer than 1 MiB");
   expect_refused(run({"compare", "/dev/zero", "cube"}), "not a mesh file");
   std::filesystem::create_symlink("/dev/zero", path("z.off"));

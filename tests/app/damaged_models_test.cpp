@@ -102,9 +102,7 @@ class DamagedModels : public limpet::testing::TemporaryFolder {
   }
   bool checks(const std::string& file) {
     int code = kBadInput;
-    CheckArguments asked;
-    asked.model = file, asked.quiet = true;
-    taken("check", [&] { code = run(asked); });
+    taken("check", [&] { code = run(CheckArguments{.model = file, .json = "", .quiet = true}); });
     return code == kDone;
   }
   /// As faces known beforehand; what is taken keeps the laws.

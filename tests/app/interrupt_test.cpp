@@ -136,7 +136,7 @@ TEST_F(Interrupt, FollowingEndsWithTheModelSoFar) {
                              path("s.json"), "--resolution", "0.02"});
   std::this_thread::sleep_for(milliseconds(1500));
   ASSERT_EQ(::kill(child, SIGHUP), 0);
-  const auto result = finish_within(child, milliseconds(120'000));
+  const auto result = finish_within(child, milliseconds(20'000));
   EXPECT_EQ(result.code, 1) << result.err;
   EXPECT_NE(result.err.find("the model so far is written"), std::string::npos) << result.err;
   EXPECT_EQ(nlohmann::json::parse(read(path("s.json")))["ended"], "interrupted");
