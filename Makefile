@@ -104,11 +104,10 @@ format: packages
 format-check: packages
 	$(SOURCES) | xargs clang-format --dry-run -Werror
 
-# MINUTES=5 for as much as can be looked at in five minutes; what has passed is not looked at again.
 lint: packages
 	tools/install_packages.sh bench lint
 	cmake --preset lint
-	tools/lint.py build/lint --jobs $(JOBS) $(if $(MINUTES),--minutes $(MINUTES))
+	tools/lint.py build/lint --jobs $(JOBS)
 
 install: build
 	cmake --install build/$(PRESET) --prefix $(PREFIX)

@@ -217,7 +217,7 @@ std::optional<std::string> TomlSection::file(const std::string& key) const {
   namespace fs = std::filesystem;
   const auto name = text(key);
   if (!name) return std::nullopt;
-  const std::string found = (fs::path(inside_->path).parent_path() / *name).lexically_normal().string();
+  std::string found = (fs::path(inside_->path).parent_path() / *name).lexically_normal().string();
   std::error_code error;
   if (name->empty() || !fs::exists(found, error))
     fail(key, called(key) + " names a file that is not there: " + found +

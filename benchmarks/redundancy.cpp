@@ -15,17 +15,17 @@ namespace limpet::benchmarks {
 namespace {
 
 /// Of one scan or the sum of several.
-struct Outcome {
+struct Tally {
   std::int64_t points = 0, by_count = 0, by_position = 0, given_up = 0;
   int extra = 0, missing = 0, runs = 0, same_topology = 0;
 
-  void add(const Outcome& o) {
+  void add(const Tally& o) {
     points += o.points, by_count += o.by_count, by_position += o.by_position, given_up += o.given_up;
     extra += o.extra, missing += o.missing, runs += o.runs, same_topology += o.same_topology;
   }
 };
 
-Outcome outcome_of(const ScanCase& scan_case, const std::string& rules, double psi, double phi) {
+Tally outcome_of(const ScanCase& scan_case, const std::string& rules, double psi, double phi) {
   std::vector<simulation::LabelledPoint> labelled;
   scan_case.scan([&](const simulation::LabelledPoint& p) { labelled.push_back(p); });
   model::Parameters parameters = scan_case.parameters();
@@ -76,7 +76,7 @@ Table measure_redundancy(const RedundancyOptions& options) {
     for (const double psi : options.psi)
       for (const double phi : options.phi) {
         if (psi == 0 && phi != options.phi.front()) continue;  // nothing is deleted by either
-        Outcome sum;
+        Tally sum;
         for (const auto& shape : options.shapes)
           for (const auto& order : options.orders)
             for (int seed = 1; seed <= options.seeds; ++seed)

@@ -94,9 +94,10 @@ void write_report(const ReportOptions& options, Limits limits) {
   ReportPage report(
       options.folder, options.commit, "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n",
       {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency", "polyhedra", "redundancy"});
-  const std::map<std::string, decltype(&add_latency)> parts{
-      {"latency", add_latency},     {"streams", add_streams},       {"sizes", add_sizes},
-      {"polyhedra", add_polyhedra}, {"redundancy", add_redundancy}, {"throughput", add_throughput}};
+  using Part = void (*)(const ReportOptions&, const Limits&, ReportPage&);
+  const std::map<std::string, Part> parts{{"latency", add_latency},       {"streams", add_streams},
+                                          {"sizes", add_sizes},           {"polyhedra", add_polyhedra},
+                                          {"redundancy", add_redundancy}, {"throughput", add_throughput}};
   for (const std::string& name : options.parts) parts.at(name)(options, limits, report);
 }
 

@@ -104,7 +104,7 @@ struct FreeSpace::Inside {
     const auto joins = [&](const Node& node) {
       return has(node, Lattice::kReached) && truth.keeps(place, lattice.place(node), options.clearance);
     };
-    if (const Node own = lattice.nearest(place); joins(own)) return own;
+    if (Node own = lattice.nearest(place); joins(own)) return own;
     for (const Node& node : nodes_around(lattice, place, 1))
       if (joins(node)) return node;
     return std::nullopt;

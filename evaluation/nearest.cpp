@@ -13,15 +13,14 @@ namespace limpet::evaluation {
 namespace {
 
 using Eigen::Vector3d;
-using Kernel = CGAL::Simple_cartesian<double>;  // distances need no exact decisions
+using Plain = CGAL::Simple_cartesian<double>;  // distances need no exact decisions
 
-Kernel::Point_3 point(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+Plain::Point_3 cartesian(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
 template <typename Object, template <typename, typename> typename Primitive>
 struct Index {
   using Objects = std::vector<Object>;
-  using Tree =
-      CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive<Kernel, typename Objects::const_iterator>>>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Plain, Primitive<Plain, typename Objects::const_iterator>>>;
 
   void build() {
     tree.insert(objects.cbegin(), objects.cend());
@@ -30,7 +29,7 @@ struct Index {
 
   double distance(const Vector3d& from) const {
     if (objects.empty()) return std::numeric_limits<double>::infinity();
-    return std::sqrt(CGAL::to_double(tree.squared_distance(point(from))));
+    return std::sqrt(CGAL::to_double(tree.squared_distance(cartesian(from))));
   }
 
   Objects objects;
@@ -45,13 +44,13 @@ using SegmentPrimitive = CGAL::AABB_segment_primitive<K, I>;
 
 }  // namespace
 
-struct NearestSurface::Inside : Index<Kernel::Triangle_3, TrianglePrimitive> {};
-struct NearestLine::Inside : Index<Kernel::Segment_3, SegmentPrimitive> {};
+struct NearestSurface::Inside : Index<Plain::Triangle_3, TrianglePrimitive> {};
+struct NearestLine::Inside : Index<Plain::Segment_3, SegmentPrimitive> {};
 
 NearestSurface::NearestSurface(const std::vector<Triangle3>& triangles)
     : inside_(std::make_unique<Inside>()) {
   for (const Triangle3& t : triangles) {
-    const Kernel::Triangle_3 triangle(point(t[0]), point(t[1]), point(t[2]));
+    const Plain::Triangle_3 triangle(cartesian(t[0]), cartesian(t[1]), cartesian(t[2]));
     if (!triangle.is_degenerate()) inside_->objects.push_back(triangle);
   }
   inside_->build();
@@ -60,7 +59,7 @@ NearestSurface::NearestSurface(const std::vector<Triangle3>& triangles)
 NearestLine::NearestLine(const std::vector<std::pair<Vector3d, Vector3d>>& segments)
     : inside_(std::make_unique<Inside>()) {
   for (const auto& [a, b] : segments)
-    if (a != b) inside_->objects.emplace_back(point(a), point(b));
+    if (a != b) inside_->objects.emplace_back(cartesian(a), cartesian(b));
   inside_->build();
 }
 

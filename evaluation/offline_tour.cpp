@@ -37,7 +37,7 @@ class Squares {
   double pitch_;
 };
 
-struct Candidate {
+struct Stand {
   Vector3d at;
   std::vector<simulation::RayCaster::Hit> readings;
 };
@@ -57,12 +57,12 @@ std::vector<Vector3d> places_of(const FreeSpace& space, const Reachability& trut
   return places;
 }
 
-std::vector<Candidate> candidates_of(const simulation::Mesh& mesh, const std::vector<Vector3d>& places,
-                                     const Sensing& sensing) {
+std::vector<Stand> candidates_of(const simulation::Mesh& mesh, const std::vector<Vector3d>& places,
+                                 const Sensing& sensing) {
   const simulation::RayCaster caster(mesh);
-  std::vector<Candidate> candidates;
+  std::vector<Stand> candidates;
   for (const Vector3d& place : places) {
-    Candidate& candidate = candidates.emplace_back(Candidate{place, {}});
+    Stand& candidate = candidates.emplace_back(Stand{place, {}});
     for (const Vector3d& axis : sensing.axes)
       if (const auto hit = caster.first_hit(place, axis); hit && hit->range <= sensing.range)
         candidate.readings.push_back(*hit);
@@ -90,10 +90,9 @@ SquareDemand demand_of(const Reachability& truth, const Squares& squares, const 
   return demand;
 }
 
-Offers offers_of(const std::vector<Candidate>& candidates, const SquareDemand& demand,
-                 const Squares& squares) {
+Offers offers_of(const std::vector<Stand>& candidates, const SquareDemand& demand, const Squares& squares) {
   Offers offers;
-  for (const Candidate& candidate : candidates) {
+  for (const Stand& candidate : candidates) {
     auto& offer = offers.emplace_back();
     for (const auto& reading : candidate.readings)
       if (const auto found = demand.index.find(squares.of(reading.face, reading.position));
@@ -114,7 +113,7 @@ class Links {
   }
 
   /// The samples that a candidate's readings would link and that are not linked.
-  std::vector<std::size_t> offered_by(const Candidate& candidate) const {
+  std::vector<std::size_t> offered_by(const Stand& candidate) const {
     std::vector<std::size_t> offered;
     for (const auto& reading : candidate.readings) add_offered(reading, offered);
     std::sort(offered.begin(), offered.end());
@@ -122,7 +121,7 @@ class Links {
     return offered;
   }
 
-  void link(const Candidate& candidate) {
+  void link(const Stand& candidate) {
     for (const std::size_t i : offered_by(candidate)) linked_[i] = 1;
   }
 
@@ -156,11 +155,11 @@ class Links {
 };
 
 /// Adds candidates until all samples that can be are linked.
-void add_links(const std::vector<Candidate>& candidates, Links& links, std::size_t samples,
+void add_links(const std::vector<Stand>& candidates, Links& links, std::size_t samples,
                std::vector<std::size_t>& chosen) {
   for (const std::size_t i : chosen) links.link(candidates[i]);
   Offers offers;
-  for (const Candidate& candidate : candidates) offers.push_back(links.offered_by(candidate));
+  for (const Stand& candidate : candidates) offers.push_back(links.offered_by(candidate));
   for (const std::size_t i : greedy_cover(offers, std::vector<int>(samples, 1))) {
     links.link(candidates[i]);
     chosen.push_back(i);
@@ -197,8 +196,7 @@ OfflineTour offline_tour(const simulation::Mesh& mesh, const TrueSurface& truth,
                          const TourOptions& options) {
   const std::vector<simulation::Face> faces = simulation::faces_of(mesh);
   const Squares squares(faces, kSquare * options.resolution);
-  const std::vector<Candidate> candidates =
-      candidates_of(mesh, places_of(space, reachability, options), sensing);
+  const std::vector<Stand> candidates = candidates_of(mesh, places_of(space, reachability, options), sensing);
   const SquareDemand demand = demand_of(reachability, squares, options);
   std::vector<std::size_t> chosen = greedy_cover(offers_of(candidates, demand, squares), demand.readings);
   Links links(reachability, squares, options.resolution);

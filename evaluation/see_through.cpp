@@ -1,13 +1,10 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limpet/evaluation/see_through_internal.hpp>
+#include <limpet/evaluation/triangle_tree_internal.hpp>
 #include <optional>
 #include <unordered_map>
 
@@ -16,14 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 using model::SensorPoint;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 constexpr int kCompany = 5;  ///< readings in a cube of 3λ, of which an outlier has fewer
-
-Kernel::Point_3 point(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
 /// All polygons as triangles, which are asked for those that a ray meets.
 class Screens {
@@ -42,20 +33,21 @@ class Screens {
 
   /// Each polygon once, ascending.
   std::vector<int> met_between(const Vector3d& from, const Vector3d& to) const {
-    std::vector<Primitive::Id> met;
+    std::vector<ExactPrimitive::Id> met;
     if (!triangles_.empty())
       tree_.all_intersected_primitives(Kernel::Segment_3(point(from), point(to)), std::back_inserter(met));
     std::vector<int> polygons;
-    for (const Primitive::Id& triangle : met) polygons.push_back(polygon_[triangle - triangles_.cbegin()]);
+    for (const ExactPrimitive::Id& triangle : met)
+      polygons.push_back(polygon_[triangle - triangles_.cbegin()]);
     std::sort(polygons.begin(), polygons.end());
     polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
     return polygons;
   }
 
  private:
-  Triangles triangles_;
+  ExactTriangles triangles_;
   std::vector<int> polygon_;
-  Tree tree_;
+  ExactTree tree_;
 };
 
 /// How many readings are about a place.

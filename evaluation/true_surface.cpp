@@ -1,8 +1,4 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/squared_distance_3.h>
 
@@ -10,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limpet/evaluation/nearest.hpp>
+#include <limpet/evaluation/triangle_tree_internal.hpp>
 #include <limpet/evaluation/true_surface.hpp>
 #include <vector>
 
@@ -17,13 +14,8 @@ namespace limpet::evaluation {
 namespace {
 
 using Eigen::Vector3d;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;  // what meets what is decided exactly
-using Plain = CGAL::Simple_cartesian<double>;                        // distances need no decisions
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Plain = CGAL::Simple_cartesian<double>;  // distances need no decisions
 
-Kernel::Point_3 point(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 Plain::Point_3 plain(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 Plain::Point_3 plain(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -60,8 +52,8 @@ struct TrueSurface::Inside {
   }
 
   NearestSurface nearest;
-  Triangles triangles;
-  Tree tree;
+  ExactTriangles triangles;
+  ExactTree tree;
 };
 
 TrueSurface::TrueSurface(const simulation::Mesh& mesh)
@@ -87,7 +79,7 @@ double TrueSurface::distance_along(const Vector3d& a, const Vector3d& b) const {
 /// A way that meets no triangle is nearest to one at an end of the way or at an edge of the triangle.
 double TrueSurface::distance_of_edges(const Vector3d& a, const Vector3d& b, double within) const {
   const Vector3d low = a.cwiseMin(b).array() - within, high = a.cwiseMax(b).array() + within;
-  std::vector<Triangles::const_iterator> near;
+  std::vector<ExactTriangles::const_iterator> near;
   inside_->tree.all_intersected_primitives(
       CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()), std::back_inserter(near));
   const Plain::Segment_3 way(plain(a), plain(b));

@@ -72,7 +72,7 @@ class UnionOutline {
     const auto c = corners(window);
     for (std::size_t i = 0; i < 4; ++i) add(c[i], c[(i + 1) % 4], Owner::window, i);
     CGAL::insert(*arrangement_, curves.begin(), curves.end());
-    for (std::size_t i = 0; i < a.size(); ++i) starts_a_[{a[i].a.x, a[i].a.y}] = a[i].slot;
+    for (const SourceEdge& edge : a) starts_a_[{edge.a.x, edge.a.y}] = edge.slot;
   }
 
   bool classify(const std::vector<int>& corner_sides) {

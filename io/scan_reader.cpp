@@ -38,7 +38,7 @@ bool looks_like_pcd(std::string_view head) {
 /// tells.
 std::string guess_format(ByteSource& source, const std::string& path) {
   const std::string_view head = source.peek(4096);
-  const std::string extension = extension_of(path);
+  std::string extension = extension_of(path);
   if (starts_with_word(head, "ply")) return "ply";
   if (looks_like_pcd(head)) return "pcd";
   if (is_one_of(extension, {"off", "stl", "obj", "glb", "gltf", "dae", "om", "3mf"})) return "mesh";

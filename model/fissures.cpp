@@ -14,7 +14,9 @@ bool fill(Complex& complex, Agenda& agenda, const Segment& s) {
   const PlacedEdges fresh = std::exchange(agenda.polygon(s.slot).fresh, {});
   if (fresh.empty()) return false;
   const DirtyRegion where = region_of(*s.polygon, fresh);
-  const auto at_fresh_edges = [&](const BoundaryDifference&) { return where; };  // others may be nearer now
+  const auto at_fresh_edges = [&](const BoundaryDifference&) {
+    return DirtyRegion(where);
+  };  // others may be nearer now
   const auto filled = complex.change_perimeter(
       s, true, at_fresh_edges, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
         return geometry::fill_fissures(perimeter, fresh, complex.setting().gap, ids, complex.rules().holes);

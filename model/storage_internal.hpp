@@ -54,7 +54,8 @@ struct Storage {
   static const auto& refused(const Agenda& agenda) { return agenda.refused_; }
   static auto& labels(Labels& labels) { return labels.segments_; }
 
-  static SegmentData data(SegmentData::Sums sums, std::vector<RawPoint> raw, std::int64_t last_joined) {
+  static SegmentData data(const SegmentData::Sums& sums, std::vector<RawPoint> raw,
+                          std::int64_t last_joined) {
     SegmentData result;
     result.sums_ = sums;
     result.raw_ = std::move(raw);

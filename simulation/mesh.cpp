@@ -38,7 +38,7 @@ std::vector<int> weld(const std::vector<Vector3d>& vertices, std::vector<Vector3
 /// The corners of a polygon in its own plane (Newell's normal).
 std::vector<Vector2d> flattened(const std::vector<int>& polygon, const std::vector<Vector3d>& vertices) {
   Vector3d normal = Vector3d::Zero();
-  const Vector3d origin = vertices[polygon[0]];
+  const Vector3d& origin = vertices[polygon[0]];
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector3d a = vertices[polygon[i]] - origin;
     const Vector3d b = vertices[polygon[(i + 1) % polygon.size()]] - origin;

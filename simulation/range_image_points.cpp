@@ -19,7 +19,7 @@ namespace bg = boost::geometry;
 namespace bgi = boost::geometry::index;
 using Place = bg::model::point<double, 3, bg::cs::cartesian>;
 using Entry = std::pair<Place, std::size_t>;
-using Tree = bgi::rtree<Entry, bgi::rstar<16>>;
+using PointTree = bgi::rtree<Entry, bgi::rstar<16>>;
 
 constexpr unsigned kForNormal = 12;  ///< points: the two rings of neighbours in a square grid
 /// Of the two variances in the fitted plane: below this ratio the points are in a line.
@@ -27,14 +27,14 @@ constexpr double kLine = 0.01;
 
 Place place(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
-Tree tree_of(const std::vector<Vector3d>& points) {
+PointTree tree_of(const std::vector<Vector3d>& points) {
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < points.size(); ++i) entries.emplace_back(place(points[i]), i);
-  return Tree(entries);
+  return PointTree(entries);
 }
 
 /// The points nearest to one of them, this one among them.
-void nearest(const Tree& tree, const std::vector<Vector3d>& points, std::size_t i, unsigned count,
+void nearest(const PointTree& tree, const std::vector<Vector3d>& points, std::size_t i, unsigned count,
              std::vector<Entry>& near) {
   near.clear();
   tree.query(bgi::nearest(place(points[i]), count), std::back_inserter(near));
@@ -62,7 +62,7 @@ void require_image(const std::vector<Vector3d>& points) {
 
 double image_epsilon(const std::vector<Vector3d>& points) {
   require_image(points);
-  const Tree tree = tree_of(points);
+  const PointTree tree = tree_of(points);
   std::vector<Entry> near;
   double largest = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -77,7 +77,7 @@ double image_epsilon(const std::vector<Vector3d>& points) {
 }
 
 std::vector<Vector3d> image_normals(const std::vector<Vector3d>& points, const Vector3d& direction) {
-  const Tree tree = tree_of(points);
+  const PointTree tree = tree_of(points);
   std::vector<Entry> near;
   std::vector<Vector3d> normals;
   for (std::size_t i = 0; i < points.size(); ++i) {

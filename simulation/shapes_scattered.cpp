@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 constexpr double kUnit = 1.0 / 64;
 
 int between(survey::Random& random, int low, int high) {
-  return low + static_cast<int>(random.below(static_cast<std::uint64_t>(high - low + 1)));
+  return low + static_cast<int>(random.below(static_cast<std::uint64_t>(high - low) + 1));
 }
 
 Vector3d point(int x, int y, int z) { return kUnit * Vector3d(x, y, z); }

@@ -10,7 +10,7 @@ namespace limpet::survey {
 namespace {
 
 constexpr double kFewestOwn = 8, kFewestAround = 4;  ///< points for a normal
-constexpr double kFlat = 0.2;   ///< thickness over width below which a patch is a plane's
+constexpr double kThin = 0.2;   ///< thickness over width below which a patch is a plane's
 constexpr double kWide = 0.12;  ///< standard deviation over voxel edge, in the plane
 constexpr double kShift =
     0.381966;  ///< of the grid, in edges: planes at round coordinates are not cut in two
@@ -94,7 +94,7 @@ SurfacePatch SurfaceVoxels::patch_of(const Moments& moments, const Eigen::Vector
   const Eigen::Vector3d deviations = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
   if (!(deviations[1] > 1e-6 * edge_)) return patch;  // one place, or a line
   patch.normal = solver.eigenvectors().col(0);
-  patch.flat = deviations[0] <= kFlat * deviations[1] && deviations[1] >= kWide * edge_;
+  patch.flat = deviations[0] <= kThin * deviations[1] && deviations[1] >= kWide * edge_;
   return patch;
 }
 

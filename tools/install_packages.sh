@@ -11,7 +11,7 @@ packages=(
   libcgal-demo)
 for group in "$@"; do
   case $group in
-    lint) packages+=(clang-tidy) ;;
+    lint) packages+=(clang-tidy-22) ;;  # the first that does not look at what others wrote
     bench) packages+=(gnuplot-nox libglpk-dev valgrind) ;;
     fuzz) packages+=(clang libclang-rt-14-dev llvm) ;;
     *) echo "usage: $0 [lint] [bench] [fuzz]" >&2; exit 2 ;;

@@ -1,37 +1,34 @@
 #!/usr/bin/env python3
-"""clang-tidy over the whole tree: each folder as one file (preset `lint`), because most of its time goes to what files
-include; and again only over what has changed since it passed.
+"""clang-tidy over the whole tree in a few minutes: nearly all of its time goes to what sources include, so that all
+sources of the program are looked at as one, all tests as another, and each benchmark's.
 
-    tools/lint.py BUILD [--jobs N] [--minutes M]     BUILD: configured with the preset `lint`
+    tools/lint.py BUILD [--jobs N]     BUILD: configured with the preset `lint`
 
-What is not begun after M minutes is counted, and is first at the next run. What has passed is remembered in
-$XDG_CACHE_HOME/limpet-lint (~/.cache).
+Names that sources of one folder have for themselves are therefore different ones.
 """
 import argparse
 import concurrent.futures
-import hashlib
 import json
-import os
 import pathlib
+import re
 import shlex
 import subprocess
 import sys
-import time
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
-CACHE = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "limpet-lint"
-OURS = rf"(/limpet/[a-z]+/[a-z0-9_]+\.hpp|^{SOURCE}/(?!build/).*\.[ch]pp)$"
+OURS = rf"(/limpet/[a-z]+/|^{SOURCE}/[a-z]+/)[a-z0-9_/]+\.[ch]pp$"
 # The same sources with other definitions, and files that are not to compile.
 TWICE = ("float", "counted", "tests/build/")
+# Units include sources, which nothing of ours may.
+CHECKS = "--checks=-bugprone-suspicious-include"
+# What clang 22 does not take of Boost 1.74 and CGAL 5.5.
+READING = [f"--extra-arg-before={flag}" for flag in (
+    "-fdelayed-template-parsing", "-include", f"{SOURCE}/tools/lint_prelude.hpp")]
 
 
-def said_by(command, folder):
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace")
-
-
-def flags_of(entry):
+def flags_of(command):
     """What the compiler is told, without the file, its output, and what only GCC knows."""
-    words = shlex.split(entry["command"])
+    words = shlex.split(command)
     words = words[2:] if words[0].endswith("ccache") else words[1:]
     flags, skip = [], False
     for word in words:
@@ -44,32 +41,36 @@ def flags_of(entry):
     return flags
 
 
+def unit_of(entry):
+    folder = pathlib.Path(entry["file"]).relative_to(SOURCE).parts[0]
+    if folder == "benchmarks":  # each program has its own main
+        return re.search(r"(\w+)\.dir/", entry["command"]).group(1)
+    return folder if folder == "tests" else "limpet"
+
+
 class Unit:
-    def __init__(self, entry):
-        self.file, self.folder, self.flags = entry["file"], entry["directory"], flags_of(entry)
-        self.name = str(pathlib.Path(self.file).resolve().relative_to(SOURCE))
+    """Sources that are looked at as one, with the flags of all."""
 
-    def stamp(self, setting):
-        """A file that is there when exactly this has passed: the text with all it includes, comments too."""
-        text = said_by(["c++", *self.flags, "-E", "-P", "-C", self.file], self.folder)
-        if text.returncode:
-            return None
-        return CACHE / hashlib.sha256((setting + text.stdout).encode()).hexdigest()
+    def __init__(self, name):
+        self.name, self.files, self.flags = name, set(), {}
 
-    def look(self, setting, end):
-        """What is wrong with it; nothing where all is well; None where there was no time to look."""
-        stamp = self.stamp(setting)
-        if stamp and stamp.exists():
-            return ""
-        if time.monotonic() > end:
-            return None
-        # Units that CMake has put together include .cpp files; nothing of ours may.
-        checks = ["--checks=-bugprone-suspicious-include"] if "/Unity/" in self.file else []
-        done = said_by(["clang-tidy", "--quiet", *checks, f"--header-filter={OURS}", self.file, "--", *self.flags,
-                        "-Wno-everything"], self.folder)
-        if done.returncode == 0 and stamp:
-            CACHE.mkdir(parents=True, exist_ok=True)
-            stamp.touch()
+    def add(self, entry):
+        self.files.add(entry["file"])
+        for flag in flags_of(entry["command"]):
+            name, _, value = flag.partition("=")
+            if name.startswith("-D") and self.flags.setdefault(name, value) != value:
+                sys.exit(f"lint: {self.name}: {name[2:]} has two values")
+            if not name.startswith("-D"):
+                self.flags[flag] = ""
+
+    def look(self, build):
+        """What is wrong with it; nothing where all is well."""
+        file = build / "units" / f"{self.name}.cpp"
+        file.parent.mkdir(exist_ok=True)
+        file.write_text("".join(f'#include "{source}"\n' for source in sorted(self.files)))
+        flags = [f"{name}={value}" if value else name for name, value in self.flags.items()]
+        done = subprocess.run(["clang-tidy-22", "--quiet", CHECKS, *READING, f"--header-filter={OURS}", str(file), "--", *flags,
+                               "-Wno-everything"], cwd=SOURCE, capture_output=True, text=True, errors="replace")
         return "" if done.returncode == 0 else done.stdout or done.stderr
 
 
@@ -77,20 +78,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--minutes", type=float, default=float("inf"))
     args = parser.parse_args()
-    end = time.monotonic() + 60 * args.minutes
-    setting = (SOURCE / ".clang-tidy").read_text() + said_by(["clang-tidy", "--version"], SOURCE).stdout
-    database = json.loads((args.build / "compile_commands.json").read_text())
-    units = {entry["file"]: Unit(entry) for entry in database if not any(part in entry["file"] for part in TWICE)}
+    units = {}
+    for entry in json.loads((args.build / "compile_commands.json").read_text()):
+        if not any(part in entry["file"] + entry["command"] for part in TWICE):
+            units.setdefault(unit_of(entry), Unit(unit_of(entry))).add(entry)
+    longest_first = sorted(units.values(), key=lambda unit: -len(unit.files))
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        found = dict(zip(units, pool.map(lambda unit: unit.look(setting, end), units.values())))
-    print("".join(text for text in found.values() if text), end="")
-    left = [units[file].name for file, text in found.items() if text is None]
-    print(f"clang-tidy: {len(found) - len(left)} of {len(found)} units looked at", flush=True)
-    if left:
-        print("for want of time not: " + " ".join(left))
-    return 1 if any(found.values()) else 0
+        found = list(pool.map(lambda unit: unit.look(args.build), longest_first))
+    print("".join(found), end="")
+    print(f"clang-tidy: {sum(len(unit.files) for unit in longest_first)} sources looked at")
+    return 1 if any(found) else 0
 
 
 if __name__ == "__main__":

@@ -76,7 +76,7 @@ Json answer(const Json& request) {
 }
 
 CLI::App* add_section(CLI::App& app, Arguments& args, const std::string& name, const std::string& what,
-                      std::function<Measured()> measure) {
+                      const std::function<Measured()>& measure) {
   auto* c = app.add_subcommand(name, what);
   c->callback([&args, measure] { show(measure(), args); });
   return c;

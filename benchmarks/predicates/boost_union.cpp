@@ -19,7 +19,8 @@ namespace {
 
 namespace bg = boost::geometry;
 
-constexpr ChildLimits kLimits{.seconds = 600, .cpu_seconds = 20, .megabytes = 4000, .with_errors = false};
+constexpr ChildLimits kUnionLimits{
+    .seconds = 600, .cpu_seconds = 20, .megabytes = 4000, .with_errors = false};
 
 /// Anticlockwise, the first point not repeated at the end: as limpet's cycles are.
 template <class Number>
@@ -50,7 +51,7 @@ shapes::Cycles cycles_of(const Region<Number>& region) {
 /// Summed about each ring's own first point, as limpet's are: far from the origin Boost's own area() would
 /// lose digits that the union has.
 template <class Number>
-double area_of(const bg::model::multi_polygon<Region<Number>>& all) {
+double united_area(const bg::model::multi_polygon<Region<Number>>& all) {
   double area = 0;
   for (const auto& region : all) area += cases::area_of(cycles_of(region));
   return area;
@@ -76,7 +77,7 @@ Json measured(const cases::PerimeterCase& pair, int repeats, bool judge) {
   if (!judge) return said;
   std::string why;
   if (!bg::is_valid(all, why)) said["law"] = "invalid", said["what"] = why;
-  said["area"] = area_of(all);
+  said["area"] = united_area(all);
   said["components"] = all.size();
   return said;
 }
@@ -91,7 +92,7 @@ void replay_by_boost(const std::string& path, bool integers, int repeats, bool j
               integers ? measured<long long>(pair, repeats, judge) : measured<double>(pair, repeats, judge);
           std::cout << told.dump() << std::endl;
         },
-        kLimits);
+        kUnionLimits);
     Json told = last_told(end.output);
     if (!end.done() || told.is_null()) told = {{"ended", end.how()}};
     std::cout << told.dump() << '\n';

@@ -14,7 +14,7 @@
 namespace limpet::benchmarks {
 namespace {
 
-constexpr ChildLimits kLimits{.seconds = 1800, .cpu_seconds = 120, .megabytes = 6000, .with_errors = true};
+constexpr ChildLimits kRunLimits{.seconds = 1800, .cpu_seconds = 120, .megabytes = 6000, .with_errors = true};
 constexpr double kLong = 2;  ///< seconds
 
 Json json_file(const std::string& path) {
@@ -37,7 +37,7 @@ std::vector<std::string> model_command(const RunScan& scan, std::size_t build, c
 void model_once(const RunScan& scan, std::size_t build, const std::string& stem, RunResult& result) {
   std::filesystem::remove(stem + ".json");
   std::filesystem::remove(stem + ".limpet");
-  const ChildEnd end = run_program(model_command(scan, build, stem), kLimits);
+  const ChildEnd end = run_program(model_command(scan, build, stem), kRunLimits);
   const std::string ended = ending(end);
   // 1: it fell short, which is told by its broken laws below.
   if (ended != "done" && ended != "exit 1") {
@@ -61,7 +61,7 @@ void judge(const RunScan& scan, const std::string& stem, RunResult& result) {
   const std::string model = stem + ".limpet", json = stem + "_judged.json";
   if (!std::filesystem::exists(model)) return;
   std::filesystem::remove(json);
-  const ChildEnd checked = run_program({model_program(0), "check", model, "-q", "--json", json}, kLimits);
+  const ChildEnd checked = run_program({model_program(0), "check", model, "-q", "--json", json}, kRunLimits);
   const Json laws = json_file(json);
   if (laws.is_object()) {
     result.violations = laws.at("violations");
@@ -74,7 +74,7 @@ void judge(const RunScan& scan, const std::string& stem, RunResult& result) {
   }
   if (scan.truth.empty()) return;
   std::filesystem::remove(json);
-  run_program({model_program(0), "compare", model, scan.truth, "-q", "--json", json}, kLimits);
+  run_program({model_program(0), "compare", model, scan.truth, "-q", "--json", json}, kRunLimits);
   const Json compared = json_file(json);
   if (!compared.is_object()) return;
   result.true_faces = compared.at("true_faces");
@@ -116,7 +116,7 @@ void add_runs(const PredicatesOptions& options, ReportPage& report) {
   std::vector<RunResults> results;
   for (const RunScan& scan : scans)
     results.push_back(measure(scan, scan.counted ? 1 : options.full ? 7 : 3, options));
-  const std::string counter = instruction_counter();
+  const std::string& counter = instruction_counter();
   report.add("What exactness costs in whole runs",
              "`limpet model` with each build in turn, processor time of the whole program: exact over float; "
              "median over the scans, the smallest and the largest; and of all scans together. Runs that did "

@@ -12,9 +12,9 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Ring = CGAL::Polygon_2<Kernel>;
-using Region = CGAL::Polygon_with_holes_2<Kernel>;
+using ExactRegion = CGAL::Polygon_with_holes_2<Kernel>;
 
-Region region_of(const shapes::Cycles& cycles) {
+ExactRegion exact_region_of(const shapes::Cycles& cycles) {
   std::vector<Ring> rings;
   for (const auto& cycle : cycles) {
     Ring& ring = rings.emplace_back();
@@ -33,14 +33,14 @@ double length_of(const Ring& ring) {
 }  // namespace
 
 TrueUnion true_union(const cases::PerimeterCase& pair) {
-  CGAL::Polygon_set_2<Kernel> set(region_of(pair.start));
-  set.join(region_of(pair.steps[0].other));
-  std::vector<Region> regions;
+  CGAL::Polygon_set_2<Kernel> set(exact_region_of(pair.start));
+  set.join(exact_region_of(pair.steps[0].other));
+  std::vector<ExactRegion> regions;
   set.polygons_with_holes(std::back_inserter(regions));
   TrueUnion result;
   result.components = static_cast<int>(regions.size());
   Kernel::FT area = 0;
-  for (const Region& region : regions) {
+  for (const ExactRegion& region : regions) {
     area += region.outer_boundary().area();
     for (auto hole = region.holes_begin(); hole != region.holes_end(); ++hole) {
       area += hole->area();  // negative

@@ -81,7 +81,7 @@ bool AimChooser::is_good(const model::View& view, const Clearance& clearance, co
 std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& clearance,
                                       const std::vector<Target>& targets, ExpectedPlanes& planes) {
   constexpr double kLeastCosine = 0.34;  // 70°
-  const auto found = choose(view, clearance, targets, planes, {10, 100, kLeastCosine, kFree, kFreeMargins});
+  auto found = choose(view, clearance, targets, planes, {10, 100, kLeastCosine, kFree, kFreeMargins});
   if (found) return found;
   return choose(view, clearance, targets, planes, {24, 240, kLeastCosine / 2, kNarrow, kNarrowMargins});
 }

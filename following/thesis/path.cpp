@@ -20,7 +20,7 @@ using model::View;
 
 using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
                                     boost::property<boost::edge_weight_t, double>>;
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 /// Vertex i of the graph is where edge i begins; one more is the start.
 class Network {
@@ -84,9 +84,9 @@ class Network {
 
   std::optional<std::size_t> nearest(const Vector3d& place) const {
     std::optional<std::size_t> best;
-    double least = kFar;
+    double least = kUnreached;
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const double d = is_barred(i) ? kFar : distance(edges_[i], place);
+      const double d = is_barred(i) ? kUnreached : distance(edges_[i], place);
       if (d < least) least = d, best = i;
     }
     return best;
@@ -97,9 +97,10 @@ class Network {
     before_.assign(boost::num_vertices(graph_), 0);
     std::vector<double> far(boost::num_vertices(graph_));
     boost::dijkstra_shortest_paths(
-        graph_, start(), boost::predecessor_map(before_.data()).distance_map(far.data()).distance_inf(kFar));
+        graph_, start(),
+        boost::predecessor_map(before_.data()).distance_map(far.data()).distance_inf(kUnreached));
     std::optional<std::size_t> best;
-    double least = kFar;
+    double least = kUnreached;
     for (std::size_t i = 0; i < edges_.size(); ++i)
       if (far[i] < least && is_goal(i, goals)) least = far[i], best = i;
     return best;
@@ -122,7 +123,7 @@ class Network {
     std::vector<std::size_t> part(boost::num_vertices(graph_));
     boost::connected_components(graph_, part.data());
     struct Hop {
-      double length = kFar;
+      double length = kUnreached;
       std::size_t from = 0, to = 0;
     };
     std::map<std::pair<std::size_t, std::size_t>, Hop> hops;

@@ -22,7 +22,7 @@ void Progress::step(const kinematics::Posture& posture) {
   still_ = still ? still_ + 1 : 0;
   last_ = posture.configuration();
   window_.push_back(posture.configuration());
-  const auto size = static_cast<std::size_t>(2 * period_ + 1);
+  const auto size = 2 * static_cast<std::size_t>(period_) + 1;
   if (window_.size() > size) window_.erase(window_.begin());
   if (steps_ > 0 && steps_ % period_ == 0) {
     const Configuration& before = window_[window_.size() - 1 - static_cast<std::size_t>(period_)];

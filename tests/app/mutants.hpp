@@ -94,52 +94,52 @@ class Mutator {
   }
 
   std::string extreme(const std::string& number) {
-    static const char* const kExtremes[] = {"0",
-                                            "-0",
-                                            "1",
-                                            "-1",
-                                            "2",
-                                            "0.5",
-                                            "1e20",
-                                            "-1e20",
-                                            "1e30",
-                                            "1e60",
-                                            "-1e75",
-                                            "1e100",
-                                            "1e154",
-                                            "1e200",
-                                            "1e308",
-                                            "-1e308",
-                                            "1e-20",
-                                            "1e-100",
-                                            "1e-308",
-                                            "5e-324",
-                                            "nan",
-                                            "inf",
-                                            "-inf",
-                                            "1e400",
-                                            "4096",
-                                            "1e9",
-                                            "1e12",
-                                            "1e15",
-                                            "1e18",
-                                            "65536",
-                                            "2147483647",
-                                            "-2147483648",
-                                            "4294967295",
-                                            "4294967296",
-                                            "281474976710656",
-                                            "281474976710657",
-                                            "562949953421312",
-                                            "1099511627777",
-                                            "9007199254740993",
-                                            "4611686018427387904",
-                                            "9223372036854775807",
-                                            "-9223372036854775808",
-                                            "9223372036854775808",
-                                            "18446744073709551615",
-                                            "170141183460469231731687303715884105727",
-                                            "-170141183460469231731687303715884105728"};
+    static const char* const extremes[] = {"0",
+                                           "-0",
+                                           "1",
+                                           "-1",
+                                           "2",
+                                           "0.5",
+                                           "1e20",
+                                           "-1e20",
+                                           "1e30",
+                                           "1e60",
+                                           "-1e75",
+                                           "1e100",
+                                           "1e154",
+                                           "1e200",
+                                           "1e308",
+                                           "-1e308",
+                                           "1e-20",
+                                           "1e-100",
+                                           "1e-308",
+                                           "5e-324",
+                                           "nan",
+                                           "inf",
+                                           "-inf",
+                                           "1e400",
+                                           "4096",
+                                           "1e9",
+                                           "1e12",
+                                           "1e15",
+                                           "1e18",
+                                           "65536",
+                                           "2147483647",
+                                           "-2147483648",
+                                           "4294967295",
+                                           "4294967296",
+                                           "281474976710656",
+                                           "281474976710657",
+                                           "562949953421312",
+                                           "1099511627777",
+                                           "9007199254740993",
+                                           "4611686018427387904",
+                                           "9223372036854775807",
+                                           "-9223372036854775808",
+                                           "9223372036854775808",
+                                           "18446744073709551615",
+                                           "170141183460469231731687303715884105727",
+                                           "-170141183460469231731687303715884105728"};
     switch (random_.below(8)) {
       case 0:
         return number.starts_with('-') ? number.substr(1) : "-" + number;
@@ -151,13 +151,13 @@ class Mutator {
         return std::to_string(std::strtoll(number.c_str(), nullptr, 10) +
                               2 * static_cast<int>(random_.below(2)) - 1);
       default:
-        return kExtremes[random_.below(std::size(kExtremes))];
+        return extremes[random_.below(std::size(extremes))];
     }
   }
 
   void damage_binary_number(std::string& bytes) {
-    static const double kExtremes[] = {0, -0.0, 1e20, -1e30, 3e38, 1e308, 5e-324, 1e-40, 0.0 / 0.0, 1 / 0.0};
-    const double value = kExtremes[random_.below(std::size(kExtremes))];
+    static const double extremes[] = {0, -0.0, 1e20, -1e30, 3e38, 1e308, 5e-324, 1e-40, 0.0 / 0.0, 1 / 0.0};
+    const double value = extremes[random_.below(std::size(extremes))];
     const auto single = static_cast<float>(value);
     const std::uint32_t count =
         random_.below(2) == 0 ? 0xffffffffu : static_cast<std::uint32_t>(random_.next());

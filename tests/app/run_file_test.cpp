@@ -278,7 +278,7 @@ TEST_F(RunFile, CutAnywhereItIsDamagedOrShort) {
 /// Whatever happens to one field, it is noticed: where it is no longer a field, on its line.
 TEST_F(RunFile, DamageToAnyFieldIsNoticed) {
   const auto lines = lines_of(read(record("cube", 3, {"--initial", write("i.off", kTriangle)})));
-  const auto expect_damaged = [&](std::vector<std::string> fields, std::size_t i, const char* how) {
+  const auto expect_damaged = [&](const std::vector<std::string>& fields, std::size_t i, const char* how) {
     auto damaged = lines;
     damaged[i] = joined(fields, ' ');
     damaged[i].pop_back();

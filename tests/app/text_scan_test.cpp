@@ -37,11 +37,9 @@ TEST_F(TextScan, GivesTheSameModelHoweverItIsWritten) {
 }
 
 TEST_F(TextScan, ThatCanBeReadInTwoWaysIsRefused) {
-  for (const std::string& text :
-       std::vector<std::string>{"1,5, 2,5, 3,5\n2,5, 2,5, 3,5\n", "1,2,3 0,0,1\n4,5,6 0,0,1\n",
-                                "1;;3;4\n1;;3;4\n", "1.234,5;2;3\n1.234,5;2;4\n",
-                                "\xff\xfe"
-                                "1\t"}) {
+  for (const std::string& text : std::vector<std::string>{
+           "1,5, 2,5, 3,5\n2,5, 2,5, 3,5\n", "1,2,3 0,0,1\n4,5,6 0,0,1\n", "1;;3;4\n1;;3;4\n",
+           "1.234,5;2;3\n1.234,5;2;4\n", std::string("\xff\xfe") + "1\t"}) {
     const auto result = run({"model", write("a.xyz", text), "-o", path("m.limpet")});
     expect_refused(result, "a.xyz: ");
     EXPECT_FALSE(exists("m.limpet"));

@@ -1,9 +1,9 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
+#include "../not_finite.hpp"
 #include "hand_made.hpp"
 
 namespace limpet::audit {
@@ -15,9 +15,6 @@ struct LawCase {
   std::string title;
   std::function<void(Document&)> harm;
 };
-
-const double kNaN = std::numeric_limits<double>::quiet_NaN();
-const double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<LawCase> header_cases() {
   return {

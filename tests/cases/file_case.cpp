@@ -148,13 +148,13 @@ std::string native_text(const model::ModelRecord& record) {
   return text.str();
 }
 
-enum class Verdict { refused, broken, sound };
+enum class Judged { refused, broken, sound };
 
-Verdict verdict_of_audit(const std::string& text) {
+Judged verdict_of_audit(const std::string& text) {
   try {
-    return audit::judge(audit::parse_document(text)).empty() ? Verdict::sound : Verdict::broken;
+    return audit::judge(audit::parse_document(text)).empty() ? Judged::sound : Judged::broken;
   } catch (const audit::DocumentError&) {
-    return Verdict::refused;
+    return Judged::refused;
   }
 }
 
@@ -199,18 +199,18 @@ Broken judge_native(const FileCase& c) {
   try {
     record = io::read_native(stream, "file");
   } catch (const io::InputError& error) {
-    if (verdict_of_audit(c.bytes) == Verdict::sound && !concerns_form_alone(error.what()))
+    if (verdict_of_audit(c.bytes) == Judged::sound && !concerns_form_alone(error.what()))
       return BrokenLaw{"grammar", std::string("a sound model is refused: ") + error.what()};
     return judge_refusal(error.what());
   }
   const bool is_long = vertices_of(record) > kMostJudgedVertices;
-  const Verdict verdict = is_long ? Verdict::broken : verdict_of_audit(c.bytes);
-  if (verdict == Verdict::refused) return BrokenLaw{"grammar", "refused by the oracle's reader alone"};
+  const Judged verdict = is_long ? Judged::broken : verdict_of_audit(c.bytes);
+  if (verdict == Judged::refused) return BrokenLaw{"grammar", "refused by the oracle's reader alone"};
   const std::string text = native_text(record);
   std::istringstream again(text);
   if (native_text(io::read_native(again, "file")) != text)
     return BrokenLaw{"native", "it reads back to other bytes"};
-  if (record.arithmetic != "exact" || verdict != Verdict::sound) return std::nullopt;
+  if (record.arithmetic != "exact" || verdict != Judged::sound) return std::nullopt;
   return judge_sound_model(record);
 }
 

@@ -85,7 +85,7 @@ void add_without_vertices(const PerimeterCase& c, std::vector<PerimeterCase>& sm
       return list == 0 ? of.start : of.steps[list - 1].other;
     };
     PerimeterCase copy = c;
-    const Cycles whole = pick(copy);
+    const Cycles& whole = pick(copy);
     for (std::size_t k = 0; k < whole.size(); ++k) {
       if (k > 0) {
         auto& cycles = pick(smaller.emplace_back(c));

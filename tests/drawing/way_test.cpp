@@ -35,7 +35,7 @@ std::vector<Vector3d> around(double distance) {
   const double low = -distance, high = 1 + distance;
   const std::vector<Eigen::Vector2d> corners = {{low, low}, {high, low}, {high, high}, {low, high}};
   for (std::size_t i = 0; i < 9; ++i) {
-    const Eigen::Vector2d corner = corners[i % 4];
+    const Eigen::Vector2d& corner = corners[i % 4];
     way.emplace_back(corner.x(), corner.y(), 0.1 + 0.1 * static_cast<double>(i));
   }
   return way;
@@ -76,9 +76,9 @@ TEST_F(WayTest, BeginsInOneColourAndEndsInAnother) {
   EXPECT_EQ(pieces.front().color, kWayBegins);
   EXPECT_EQ(pieces.back().color, kWayEnds);
   std::size_t dots = 0;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    dots += pieces[i].from == pieces[i].to;
-    EXPECT_LE((pieces[i].to - pieces[i].from).head<2>().norm(), 4 + 1e-9);
+  for (const auto& piece : pieces) {
+    dots += piece.from == piece.to;
+    EXPECT_LE((piece.to - piece.from).head<2>().norm(), 4 + 1e-9);
   }
   EXPECT_EQ(dots, way.size());
 }

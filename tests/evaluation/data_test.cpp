@@ -26,6 +26,7 @@ struct DataMesh {
   bool closed;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): a name of GoogleTest
 void PrintTo(const DataMesh& mesh, std::ostream* out) { *out << mesh.path; }
 
 class DataMeshes : public ::testing::TestWithParam<DataMesh> {

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limpet/survey/random.hpp>
 #include <numbers>
 #include <stdexcept>
 
+#include "random_places.hpp"
 #include "run_worlds.hpp"
 
 namespace limpet::evaluation {
@@ -17,12 +17,6 @@ using testing::kFollowDistance;
 using testing::kRange;
 using testing::kResolution;
 using testing::RunWorld;
-
-Vector3d anywhere(survey::Random& random, double low, double high) {
-  Vector3d place;
-  for (double& x : place) x = random.uniform(low, high);
-  return place;
-}
 
 // ---- Free space --------------------------------------------------------------------------------
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <limpet/evaluation/clearance.hpp>
-#include <limpet/survey/random.hpp>
 
+#include "random_places.hpp"
 #include "run_worlds.hpp"
 
 namespace limpet::evaluation {
@@ -12,12 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 using survey::Random;
-
-Vector3d anywhere(Random& random, double low, double high) {
-  Vector3d place;
-  for (double& x : place) x = random.uniform(low, high);
-  return place;
-}
 
 /// The smallest distance at places along a way: never less than the true one, and at most half a step more.
 double sampled(const TrueSurface& surface, const Vector3d& a, const Vector3d& b, int steps) {

@@ -13,7 +13,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRange = 4 * kLambda, kLeastCosine = 0.34;
-const Vector3d kUp(0, 0, 1);
 
 /// A ray from a place to another one, and on to its range.
 Ray ray_to(const Vector3d& from, const Vector3d& to) { return {from, (to - from).normalized(), kRange}; }

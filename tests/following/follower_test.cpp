@@ -10,7 +10,7 @@
 namespace limpet::following {
 namespace {
 
-class AnyFollower : public testing::TestWithParam<Strategy> {};
+class AnyFollower : public ::testing::TestWithParam<Strategy> {};
 
 TEST_P(AnyFollower, TheSameSeedGivesTheSameMotions) {
   RunOptions options;
@@ -62,7 +62,7 @@ TEST_P(AnyFollower, RefusesUnsoundParameters) {
   EXPECT_THROW(make_follower(GetParam(), parameters), std::invalid_argument);
 }
 
-INSTANTIATE_TEST_SUITE_P(Strategies, AnyFollower, testing::Values(Strategy::frontier, Strategy::thesis));
+INSTANTIATE_TEST_SUITE_P(Strategies, AnyFollower, ::testing::Values(Strategy::frontier, Strategy::thesis));
 
 }  // namespace
 }  // namespace limpet::following

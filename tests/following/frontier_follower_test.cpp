@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Case {
+struct FrontierCase {
   const char* world;
   double noise, area;
   int faces;
 };
 
-class FrontierRun : public testing::TestWithParam<Case> {};
+class FrontierRun : public ::testing::TestWithParam<FrontierCase> {};
 
 TEST_P(FrontierRun, EndsByItselfWithAClosedModelAndKeepsItsDistance) {
   const auto [world, noise, area, faces] = GetParam();
@@ -33,8 +33,8 @@ TEST_P(FrontierRun, EndsByItselfWithAClosedModelAndKeepsItsDistance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Worlds, FrontierRun,
-                         testing::Values(Case{"cube", 0, 6, 6}, Case{"cube", 0.002, 6, 6},
-                                         Case{"L", 0.002, 7, 8}));
+                         ::testing::Values(FrontierCase{"cube", 0, 6, 6}, FrontierCase{"cube", 0.002, 6, 6},
+                                           FrontierCase{"L", 0.002, 7, 8}));
 
 TEST(FrontierFollower, GivesUpALonePointThatIsNeverFeltAgain) {
   model::Model model(model::Parameters{});

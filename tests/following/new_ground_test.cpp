@@ -18,7 +18,6 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr double kFar = 3.8 * kLambda;
-const Vector3d kUp(0, 0, 1);
 
 /// What is known of a plane.
 struct Ground {
@@ -82,7 +81,7 @@ Vector3d random_flat(survey::Random& random, double size) {
 std::vector<Border> sides(survey::Random& random, const std::vector<Vector3d>& corners, bool goes_on) {
   std::vector<Border> borders;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector3d from = corners[i], to = corners[(i + 1) % corners.size()];
+    const Vector3d &from = corners[i], &to = corners[(i + 1) % corners.size()];
     borders.push_back({from, to, (to - from).cross(kUp).normalized(), kUp, goes_on});
     if (random.below(2)) std::swap(borders.back().from, borders.back().to);
   }
@@ -249,7 +248,7 @@ TEST(NewGround, LiesOutsideAPolygonRoundEveryCorner) {
     shuffle(random, ground.borders);
     const NewGround made = ground.made();
     for (int i = 0; i < 30; ++i) {
-      const Vector3d corner = corners[random.below(corners.size())];
+      const Vector3d& corner = corners[random.below(corners.size())];
       const Vector3d place = i % 3 == 0 ? random_flat(random, 5 * kLambda)
                                         : Vector3d(corner + random_flat(random, 1.2 * kLambda));
       const double distance = distance_to(ground.borders, place);

@@ -11,6 +11,7 @@
 namespace limpet::following {
 
 inline constexpr double kLambda = 0.05;
+inline const Eigen::Vector3d kUp(0, 0, 1);
 inline constexpr double kStep = kLambda;  ///< of a travel
 
 inline Eigen::Vector3d random_vector(survey::Random& random) {

@@ -12,13 +12,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Case {
+struct ThesisCase {
   const char* world;
   double noise;
   int faces;
 };
 
-class ThesisRun : public testing::TestWithParam<Case> {};
+class ThesisRun : public ::testing::TestWithParam<ThesisCase> {};
 
 TEST_P(ThesisRun, EndsByItselfWithAClosedModelAndKeepsItsDistance) {
   const auto [world, noise, faces] = GetParam();
@@ -32,8 +32,9 @@ TEST_P(ThesisRun, EndsByItselfWithAClosedModelAndKeepsItsDistance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Worlds, ThesisRun,
-                         testing::Values(Case{"cube", 0, 6}, Case{"cube", 0.002, 6}, Case{"L", 0.002, 8},
-                                         Case{"thin_plate:0.25", 0.002, 6}));
+                         ::testing::Values(ThesisCase{"cube", 0, 6}, ThesisCase{"cube", 0.002, 6},
+                                           ThesisCase{"L", 0.002, 8},
+                                           ThesisCase{"thin_plate:0.25", 0.002, 6}));
 
 TEST(ThesisFollower, ARobotThatDoesNotMoveEndsTheRun) {
   auto model = initial_model({{rectangle(-1, -1, 1, 1)}});

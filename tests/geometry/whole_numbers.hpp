@@ -34,7 +34,7 @@ inline Int128 small(double x) { return static_cast<Int128>(x); }
 inline bool is_small(double x) { return x == std::floor(x) && std::abs(x) <= 0x1p60; }
 
 template <class Number>
-int sign_of_cross(Number ax, Number ay, Number bx, Number by) {
+int sign_of_cross(const Number& ax, const Number& ay, const Number& bx, const Number& by) {
   const Number left = ax * by, right = ay * bx;
   return left > right ? 1 : left < right ? -1 : 0;
 }

@@ -22,6 +22,7 @@ struct DataScan {
   bool has_gaps = false;  ///< pixels without a point, or normals that are none
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): a name of GoogleTest
 void PrintTo(const DataScan& scan, std::ostream* out) { *out << scan.path; }
 
 class DataScans : public ::testing::TestWithParam<DataScan> {};

@@ -21,7 +21,7 @@ using testing::Points;
 constexpr std::size_t kSet = 200;
 
 /// A cube, whose bottom is known beforehand.
-const testing::Scan& cube() {
+const testing::Scan& cube_scan() {
   static const testing::Scan scan =
       testing::scanned("cube", 2500, 0.0005, simulation::ScanOptions::Order::sampled);
   return scan;
@@ -39,7 +39,7 @@ std::vector<std::function<void(Model&)>> calls() {
   std::vector<std::function<void(Model&)>> all;
   all.push_back([](Model& m) { m.keep_labels(); });
   all.push_back([](Model& m) { m.add_initial(bottom()); });
-  const Points& points = cube().points;
+  const Points& points = cube_scan().points;
   for (std::size_t i = 0; i < points.size(); i += kSet)
     all.push_back([i, &points](Model& m) {
       m.update(std::span(points).subspan(i, std::min(kSet, points.size() - i)));
@@ -123,7 +123,7 @@ std::int64_t try_call(const std::function<void(Model&)>& call, const std::string
 TEST(OutOfMemory, AChangeIsMadeOrTheModelSaysThatItIsUnusable) {
   // LIMPET_EVERY=1 tries all of them.
   const std::uint64_t every = testing::wanted("LIMPET_EVERY", 97);
-  Model model(cube().parameters);
+  Model model(cube_scan().parameters);
   std::int64_t requests = 0;
   for (const auto& call : calls()) {
     requests += try_call(call, model.state(), every);
@@ -139,7 +139,7 @@ TEST(OutOfMemory, AChangeIsMadeOrTheModelSaysThatItIsUnusable) {
 /// What changes nothing leaves the model as it is when it cannot be done.
 TEST(OutOfMemory, AQuestionThatFailsChangesNothing) {
   const std::uint64_t every = testing::wanted("LIMPET_EVERY", 97);
-  Model model(cube().parameters);
+  Model model(cube_scan().parameters);
   for (const auto& call : calls()) call(model);
   const std::string before = model.state();
   const std::function<void(Model&)> questions[] = {
@@ -167,16 +167,16 @@ TEST(OutOfMemory, AQuestionThatFailsChangesNothing) {
 }
 
 TEST(OutOfMemory, ARefusedFaceLeavesTheModelUsable) {
-  Model model(cube().parameters);
+  Model model(cube_scan().parameters);
   const std::vector<InitialFace> faces{bottom()[0], {{{{0, 0, 0}, {1, 0, 0}}}}};
   EXPECT_THROW(model.add_initial(faces), std::invalid_argument);
   EXPECT_EQ(model.counts().polygons, 1);
-  model.update(cube().points);
+  model.update(cube_scan().points);
   EXPECT_EQ(testing::broken_laws(model.record()), "");
 }
 
 TEST(OutOfMemory, AModelThatWasMovedFromSaysSo) {
-  Model model(cube().parameters);
+  Model model(cube_scan().parameters);
   Model other = std::move(model);
   expect_unusable(model);  // NOLINT: that is the question
   model = std::move(other);

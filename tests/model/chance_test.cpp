@@ -25,7 +25,7 @@ TEST(Chance, LeavesAHundredthOfAnEmptyDiscAboveItsBound) {
 Points holed_plate(std::uint64_t seed, int n, double hole, double density) {
   Random random(seed);
   const double pitch = hole + 6, size = n * pitch;
-  Points points = plate(random, static_cast<int>(density * size * size), 0, 0, size, size, 0.01);
+  Points points = plate(random, static_cast<int>(density * size * size), 0.0, 0.0, size, size, 0.01);
   std::erase_if(points, [&](const SensorPoint& p) {
     const double x = std::fmod(p.position.x(), pitch) - 3, y = std::fmod(p.position.y(), pitch) - 3;
     return x > 0 && x < hole && y > 0 && y < hole;

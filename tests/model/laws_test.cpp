@@ -7,10 +7,10 @@
 #include <map>
 
 #include <limpet/model/fit_internal.hpp>
-#include <limpet/model/moments_internal.hpp>
 
 #include "../expect_law.hpp"
 #include "../generators/streams.hpp"
+#include "grid_clouds.hpp"
 #include "ledger.hpp"
 #include "neighbour_ledger.hpp"
 #include "streams.hpp"
@@ -28,8 +28,6 @@ using properties::whole;
 
 // Moments
 
-using Cloud = std::vector<GridPoint>;
-
 /// On few places, in a line, in a plane or anywhere, up to the edge of the range, on one side of the origin.
 Cloud any_cloud() {
   const auto parts = *rc::gen::container<std::vector<std::array<std::int64_t, 3>>>(
@@ -44,17 +42,6 @@ Cloud any_cloud() {
     if (kind == 3) cloud.push_back({scale * p[0], scale * p[1], scale * p[2]});
   }
   return cloud;
-}
-
-Moments moments_of(const Cloud& cloud) {
-  Moments m;
-  for (const auto& p : cloud) m.add(p);
-  return m;
-}
-
-bool same(const Moments& a, const Moments& b) {
-  const auto x = a.record(), y = b.record();
-  return x.count == y.count && x.sum == y.sum && x.product == y.product;
 }
 
 TEST(MomentsLaws, OrderAndGroupingDoNotMatter) {

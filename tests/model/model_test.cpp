@@ -1,5 +1,4 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -7,6 +6,7 @@
 
 #include <limpet/model/spatial_index_internal.hpp>
 
+#include "../not_finite.hpp"
 #include "streams.hpp"
 
 namespace limpet::model {
@@ -14,9 +14,6 @@ namespace {
 
 using namespace testing;
 using Order = simulation::ScanOptions::Order;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Model, OnePlaneIsOnePolygon) {
   Random random(1);

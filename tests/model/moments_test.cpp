@@ -3,14 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <limpet/model/moments_internal.hpp>
 #include <limpet/survey/random.hpp>
+
+#include "grid_clouds.hpp"
 
 namespace limpet::model {
 namespace {
 
+using namespace testing;
 using survey::Random;
-using Cloud = std::vector<GridPoint>;
 
 /// Points with coordinates 1 to `extent`.
 Cloud cloud(std::uint64_t seed, std::size_t count, std::uint64_t extent) {
@@ -28,17 +29,6 @@ Cloud moved(Cloud points, const GridPoint& by) {
   for (auto& p : points)
     for (std::size_t i = 0; i < 3; ++i) p[i] += by[i];
   return points;
-}
-
-Moments moments_of(const Cloud& points) {
-  Moments m;
-  for (const auto& p : points) m.add(p);
-  return m;
-}
-
-bool same(const Moments& a, const Moments& b) {
-  const auto x = a.record(), y = b.record();
-  return x.count == y.count && x.sum == y.sum && x.product == y.product;
 }
 
 /// In units of step², centred first.

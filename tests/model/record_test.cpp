@@ -5,13 +5,11 @@
 
 #include <limits>
 
+#include "../not_finite.hpp"
 #include "streams.hpp"
 
 namespace limpet::model {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Damage {
   const char* says;

@@ -80,7 +80,7 @@ TEST(Rules, ErrorsNameTheUnknownRuleAndTheKnownOnes) {
   for (const std::string bad : {"frobnicate", "Near", "near ", "--near", "limpet2"}) {
     for (const std::string& text : {bad, "near," + bad, "-holes,-" + bad}) {
       const std::string message = message_of(text);
-      EXPECT_NE(message.find("'"), std::string::npos) << text;
+      EXPECT_NE(message.find('\''), std::string::npos) << text;
       const std::string shown = bad == "--near" ? "-near" : bad;
       EXPECT_NE(message.find(shown), std::string::npos) << text << ": " << message;
       for (const auto& name : Rules::names()) EXPECT_NE(message.find(name), std::string::npos) << message;

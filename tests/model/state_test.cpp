@@ -15,7 +15,7 @@ using namespace testing;
 /// How many streams each test reads: LIMPET_STREAMS, else 100.
 const std::uint64_t kStoredStreams = wanted("LIMPET_STREAMS", 100);
 
-bool same(const std::vector<Change>& a, const std::vector<Change>& b) {
+bool same_all(const std::vector<Change>& a, const std::vector<Change>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Change& x, const Change& y) {
     return x.kind == y.kind && x.first == y.first && x.second == y.second && x.result == y.result &&
            std::ranges::equal(x.edges, y.edges);
@@ -37,13 +37,13 @@ class Twins {
   }
   void update(const Points& set) {
     if (random_.below(3) == 0) stop();
-    const bool same_changes = same(kept_.update(set), stopped_->update(set));
+    const bool same_changes = same_all(kept_.update(set), stopped_->update(set));
     ASSERT_TRUE(same_changes);
     look();
   }
   void finish() {
     if (random_.below(2) == 0) stop();
-    const bool same_changes = same(kept_.finish(), stopped_->finish());
+    const bool same_changes = same_all(kept_.finish(), stopped_->finish());
     ASSERT_TRUE(same_changes);
     look();
   }
@@ -51,8 +51,8 @@ class Twins {
   void begin_to_finish() {
     const std::uint64_t asks = random_.below(1'000);
     std::uint64_t kept = 0, stopped = 0;
-    const bool same_changes =
-        same(kept_.finish([&] { return ++kept > asks; }), stopped_->finish([&] { return ++stopped > asks; }));
+    const bool same_changes = same_all(kept_.finish([&] { return ++kept > asks; }),
+                                       stopped_->finish([&] { return ++stopped > asks; }));
     ASSERT_TRUE(same_changes);
     look();
   }

@@ -3,20 +3,19 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 #include <limpet/simulation/initial_faces.hpp>
 #include <limpet/simulation/range_image.hpp>
 #include <limpet/simulation/shapes.hpp>
 #include <limpet/survey/random.hpp>
 #include <optional>
 
+#include "../not_finite.hpp"
+
 namespace limpet::simulation {
 namespace {
 
 using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vector3d random_place(survey::Random& random, double reach) {
   const double x = random.uniform(-reach, reach);

@@ -29,6 +29,7 @@ struct SimulatedScan {
   }
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): a name of GoogleTest
 inline void PrintTo(const SimulatedScan& s, std::ostream* out) {
   *out << s.shape << ", " << s.points << " points, order " << static_cast<int>(s.order) << ", noise "
        << s.noise << ", outliers " << s.outliers;
