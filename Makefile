@@ -17,12 +17,14 @@ test: build
 build: configure
 	cmake --build build/$(PRESET) -j $(JOBS)
 
-# With ASan and UBSan: the commands on all that their tests give them, damaged models, and a model without memory.
+# With ASan and UBSan: what reads files, a model without memory, and the commands on all that their tests give them.
+# SUITES="io memory" for some of them: folders of tests/.
+sanitize: SUITES = audit io memory cases app
 sanitize: packages
+	tools/install_packages.sh fuzz
 	cmake --preset sanitize
-	cmake --build build/sanitize -j $(JOBS) --target limpet_app_tests limpet_memory_tests
-	tools/test.sh build/sanitize/tests/app
-	tools/test.sh build/sanitize/tests/memory
+	cmake --build build/sanitize -j $(JOBS) --target $(SUITES:%=limpet_%_tests)
+	for suite in $(SUITES); do tools/test.sh build/sanitize/tests/$$suite || exit 1; done
 
 # Each kind of input for so many SECONDS; what is found becomes a case in out/fuzz. KINDS="scan mesh" for some of them.
 fuzz: build
