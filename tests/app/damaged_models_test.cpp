@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "../model/streams.hpp"
+#include "../sanitized.hpp"
 #include "../temporary_folder.hpp"
 #include "mutants.hpp"
 
@@ -24,11 +25,7 @@ namespace {
 using model::testing::scanned;
 using simulation::ScanOptions;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t kSlower = 10;  ///< with sanitizers
-#else
-constexpr std::uint64_t kSlower = 1;
-#endif
+constexpr std::uint64_t kSlower = kSanitized ? 10 : 1;
 constexpr double kLongest = 5 * kSlower;  ///< seconds of processor time
 constexpr long kMostMemory = 1L << 20;    ///< KiB, of the whole program
 constexpr unsigned kGivenUpAfter = 120;  ///< seconds; then the mutant's file is left for whoever looks for it
