@@ -14,6 +14,17 @@
 #include <sstream>
 
 namespace limpet::app {
+namespace {
+
+std::string angle_line(const SuggestedAngle& found) {
+  char line[160];
+  std::snprintf(line, sizeof line,
+                "most of them lie at bends of %.1f degrees and more, which --angle %g would tell apart\n",
+                found.least_bend_deg, found.angle_deg);
+  return line;
+}
+
+}  // namespace
 
 Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEdge> open_edges) {
   Summary s;
@@ -37,6 +48,7 @@ Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEd
   }
   s.shared_edges = shared / 2;
   for (const model::OpenEdge& open : open_edges) ++s.open_because[open.refusal];
+  s.suggested_angle = suggested_angle(model, open_edges);
   s.redundant_by_count = model.redundant_by_count;
   s.redundant_by_position = model.redundant_by_position;
   const auto welds = io::weld(io::lift(model), model.parameters.resolution);
@@ -60,6 +72,8 @@ std::string to_json(const Summary& s) {
   json["open_edges"] = s.open_edges;
   json["open_because"] = nlohmann::ordered_json::object();
   for (const auto& [refusal, count] : s.open_because) json["open_because"][name(refusal)] = count;
+  json["suggested_angle_deg"] = nullptr;
+  if (s.suggested_angle) json["suggested_angle_deg"] = s.suggested_angle->angle_deg;
   json["redundant_by_count"] = s.redundant_by_count;
   json["redundant_by_position"] = s.redundant_by_position;
   json["corner_vertices"] = s.corner_vertices;
@@ -96,6 +110,7 @@ std::string to_text(const Summary& s) {
            << words(refusal);
     text << "\n";
   }
+  if (s.suggested_angle) text << angle_line(*s.suggested_angle);
   if (s.redundant_by_count + s.redundant_by_position > 0) {
     text << "redundant segments deleted: " << io::grouped(s.redundant_by_count) << " by their points, "
          << io::grouped(s.redundant_by_position) << " by position\n";

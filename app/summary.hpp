@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limpet/app/arguments.hpp>
+#include <limpet/app/suggested_angle.hpp>
 #include <limpet/audit/laws.hpp>
 #include <limpet/model/open_edges.hpp>
 #include <limpet/model/record.hpp>
@@ -26,7 +27,8 @@ struct Summary {
   std::int64_t shared_edges = 0;  ///< corresponding pairs
   std::int64_t open_edges = 0;
   std::map<model::Refusal, std::int64_t>
-      open_because;  ///< of the open edges, by what refused them a neighbour
+      open_because;                               ///< of the open edges, by what refused them a neighbour
+  std::optional<SuggestedAngle> suggested_angle;  ///< where μ keeps most of them open
   std::int64_t redundant_by_count = 0, redundant_by_position = 0;  ///< segments deleted (thesis §2.9)
   std::int64_t corner_vertices = 0;
   double corner_distance = 0;   ///< largest from a corner to a plane that should hold it, scan's unit

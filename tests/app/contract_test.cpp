@@ -42,6 +42,7 @@ TEST_F(Contract, SummaryHasItsKeys) {
                                 "shared_edges",
                                 "open_edges",
                                 "open_because",
+                                "suggested_angle_deg",
                                 "corner_vertices",
                                 "closed",
                                 "seconds",

@@ -1,7 +1,9 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // scan → model → check → compare → draw, with answers that are known.
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "program.hpp"
 
@@ -68,6 +70,37 @@ TEST_F(RoundTrip, TheSummaryTellsWhyEdgesAreOpen) {
   EXPECT_EQ(told, summary["open_edges"]);
   EXPECT_GT(summary["open_because"]["alone"], 0);
   EXPECT_NE(result.out.find("no other polygon near"), std::string::npos) << result.out;
+}
+
+/// A box with a low ridge along its top.
+std::string box_with_ridge(double bend_deg) {
+  const std::string ridge = std::to_string(2 + 2 * std::tan(bend_deg * std::numbers::pi / 360));
+  return "OFF\n10 7 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 2\n4 0 2\n4 4 2\n0 4 2\n2 0 " + ridge + "\n2 4 " +
+         ridge + "\n4 3 2 1 0\n5 0 1 5 8 4\n4 1 2 6 5\n5 2 3 7 9 6\n4 3 0 4 7\n4 4 8 9 7\n4 8 5 6 9\n";
+}
+
+TEST_F(RoundTrip, ABendBelowTheAngularResolutionIsToldWithTheAngleThatWouldDo) {
+  for (const double bend : {3.0, 6.0, 9.0}) {
+    SCOPED_TRACE(bend);
+    const auto mesh = write("ridge.off", box_with_ridge(bend));
+    const auto points = scan("ridge.ply", mesh, 30000, {"--noise", "0.0005"});
+    const auto model = [&](const std::vector<std::string>& more) {
+      std::vector<std::string> all{"model", points, "-o", path("m.limpet"), "--json", path("m.json")};
+      all.insert(all.end(), more.begin(), more.end());
+      EXPECT_EQ(run(all).code, 0);
+      return nlohmann::json::parse(read(path("m.json")));
+    };
+    const auto before = model({});
+    EXPECT_FALSE(before["closed"]);
+    ASSERT_TRUE(before["suggested_angle_deg"].is_number());
+    const double angle = before["suggested_angle_deg"];
+    EXPECT_LT(angle, bend);
+    EXPECT_GT(angle, bend / 2);
+    const auto after = model({"--angle", std::to_string(angle)});
+    EXPECT_TRUE(after["closed"]);
+    EXPECT_EQ(after["polygons"], 7);
+    EXPECT_TRUE(after["suggested_angle_deg"].is_null());
+  }
 }
 
 TEST_F(RoundTrip, WhatIsNotGivenIsChosenAndSaid) {
