@@ -21,7 +21,7 @@ build: configure
 # SUITES="io memory" for some of them: folders of tests/.
 sanitize: SUITES = audit io memory cases app
 sanitize: packages
-	tools/install_packages.sh fuzz
+	tools/install_packages.sh sanitize
 	cmake --preset sanitize
 	cmake --build build/sanitize -j $(JOBS) --target $(SUITES:%=limpet_%_tests)
 	for suite in $(SUITES); do tools/test.sh build/sanitize/tests/$$suite || exit 1; done
@@ -107,7 +107,7 @@ format-check: packages
 	$(SOURCES) | xargs clang-format --dry-run -Werror
 
 lint: packages
-	tools/install_packages.sh bench lint
+	tools/install_packages.sh lint
 	cmake --preset lint
 	tools/lint.py build/lint --jobs $(JOBS)
 

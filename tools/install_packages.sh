@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that building, testing and the demo need; does nothing, fast, when they are there.
-#   tools/install_packages.sh [lint] [bench] [fuzz]      adds what `make lint`, `make bench` or `make fuzz` need
+#   tools/install_packages.sh [lint] [sanitize] [bench] [fuzz]      adds what `make lint`, `make sanitize` and so on need
 set -euo pipefail
 
 packages=(
@@ -11,10 +11,11 @@ packages=(
   libcgal-demo)
 for group in "$@"; do
   case $group in
-    lint) packages+=(clang-tidy-22) ;;  # the first that does not look at what others wrote
+    lint) packages+=(clang-tidy-22 libglpk-dev) ;;  # the first that does not look at what others wrote
     bench) packages+=(gnuplot-nox libglpk-dev valgrind) ;;
+    sanitize) packages+=(clang libclang-rt-14-dev) ;;
     fuzz) packages+=(clang libclang-rt-14-dev llvm) ;;
-    *) echo "usage: $0 [lint] [bench] [fuzz]" >&2; exit 2 ;;
+    *) echo "usage: $0 [lint] [sanitize] [bench] [fuzz]" >&2; exit 2 ;;
   esac
 done
 
