@@ -102,10 +102,11 @@ TEST(FrontierFollower, GoesOnOverACurvedSurface) {
 }
 
 TEST(FrontierFollower, EndsThoughTheRobotStandsStill) {
-  for (const auto& [ceiling, from] :
-       std::vector<std::pair<double, int>>{{0.05, 0}, {0.05, 50}, {0.05, 400}, {1, 1}, {1, 200}}) {
-    SCOPED_TRACE("from set " + std::to_string(from) + ", ceiling " + std::to_string(ceiling));
-    expect_end(ceiling, from, [](const Vector3d&) { return Vector3d(0, 0, 0); });
+  for (const double ceiling : {0.05, 1.0}) {
+    for (const int from : {0, 1, 50, 200, 400}) {
+      SCOPED_TRACE("from set " + std::to_string(from) + ", ceiling " + std::to_string(ceiling));
+      expect_end(ceiling, from, [](const Vector3d&) { return Vector3d(0, 0, 0); });
+    }
   }
 }
 
