@@ -1,12 +1,9 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <sys/resource.h>
-
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <limpet/io/lzf.hpp>
 
-#include "../sanitized.hpp"
 #include "files.hpp"
 
 namespace limpet::io::testing {
@@ -144,27 +141,6 @@ TEST_F(PcdTest, DecimalCommasAreRefused) {
   EXPECT_NE(scan.error.find("a.pcd: line 13: '1,5' is not a number: numbers have decimal points"),
             std::string::npos)
       << scan.error;
-}
-
-/// What is promised but cannot be held is one line, and not a crash.
-TEST_F(PcdTest, CompressedPointsThatDoNotFitInMemory) {
-  if (kSanitized) GTEST_SKIP() << "the address space is the sanitizer's";
-  std::string bytes =
-      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 300000000\nHEIGHT 1\n"
-      "POINTS 300000000\nDATA binary_compressed\n";
-  put(bytes, std::uint32_t{60'000'000});
-  put(bytes, std::uint32_t{3'600'000'000});
-  const std::string name = write("large.pcd", bytes);
-  std::filesystem::resize_file(name, bytes.size() + 60'000'000);  // a hole: zeros, which are literal runs
-  struct rlimit usual = {};
-  ::getrlimit(RLIMIT_AS, &usual);
-  const struct rlimit small = {400'000'000, usual.rlim_max};
-  ::setrlimit(RLIMIT_AS, &small);
-  const ScanResult scan = read_scan(name);
-  ::setrlimit(RLIMIT_AS, &usual);
-  EXPECT_NE(scan.error.find("large.pcd: its compressed points take 3660 MB of memory"), std::string::npos)
-      << scan.error;
-  EXPECT_NE(scan.error.find("DATA binary"), std::string::npos) << scan.error;
 }
 
 TEST_F(PcdTest, NormalsGoBeforeTheViewpoint) {

@@ -10,10 +10,12 @@
 namespace {
 
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max();
 std::int64_t requests = 0, first_failure = kNever;
+std::size_t largest = kAnySize;
 
 void* request(std::size_t size, std::size_t alignment = alignof(std::max_align_t)) {
-  if (requests++ >= first_failure) throw std::bad_alloc();
+  if (requests++ >= first_failure || size > largest) throw std::bad_alloc();
   const std::size_t whole = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment;
   void* memory = std::aligned_alloc(alignment, whole);
   if (!memory) throw std::bad_alloc();
@@ -38,8 +40,11 @@ namespace limpet::memory {
 
 void fail_from(std::int64_t nth) { requests = 0, first_failure = nth; }
 
+void fail_above(std::size_t bytes) { largest = bytes; }
+
 std::int64_t relent() {
   first_failure = kNever;
+  largest = kAnySize;
   return requests;
 }
 
