@@ -109,31 +109,44 @@ TEST_F(RealScans, RoundedDepths) {
 
 /// What a model says was felt was felt (docs/evidence.md). In each of five scans one polygon covers a place
 /// where more readings are missing than chance explains.
-TEST_F(RealScans, AreSupportedByTheirReadings) {
-  const std::map<std::string, int> polygons_beyond_bounds = {
-      {"cgal_points/building.xyz", 0},   {"cgal_points/ball.ply", 0},
-      {"cgal_points/cylinders.ply", 0},  {"cgal_points/spheres.ply", 0},
-      {"cgal_points/oni.pwn", 0},        {"cgal_points/radar.xyz", 0},
-      {"cgal_points/cube.pwn", 1},       {"cgal_points/b9.ply", 1},
-      {"pcl_test/lamppost.pcd", 0},      {"pcl_test/office1.pcd", 0},
-      {"pcl_mOSD/learn0.pcd", 0},        {"pcl_mOSD/learn4.pcd", 1},
-      {"pcl_mOSD/learn17.pcd", 0},       {"pcl_mOSD/learn33.pcd", 0},
-      {"synpeb_sample/test_100.pcd", 1}, {"pcl_test/milk_cartoon_all_small_clorox.pcd", 1}};
-  for (const auto& [name, beyond] : polygons_beyond_bounds) {
-    const std::string scan = data(name);
-    if (!std::filesystem::exists(scan)) GTEST_SKIP() << scan << " is not there";
-    SCOPED_TRACE(name);
-    ASSERT_EQ(run({"model", scan, "-o", path("m.limpet"), "-q"}).code, 0);
-    const auto check = run({"check", path("m.limpet"), "--scan", scan, "-q", "--json", path("c.json")});
-    EXPECT_EQ(check.code, beyond > 0 ? 1 : 0) << check.err;
-    const auto evidence = nlohmann::json::parse(read(path("c.json")))["evidence"];
-    const auto& polygons = evidence["polygons"];
-    EXPECT_EQ(std::count_if(polygons.begin(), polygons.end(),
-                            [](const auto& p) { return p["unsupported"] || p["transparent"]; }),
-              beyond);
-    EXPECT_GT(evidence["explained_share"], 0.7);
-  }
+struct JudgedScan {
+  const char* name;  ///< in the folder of data
+  int beyond_bounds = 0;
+};
+
+class RealScan : public ProgramTest, public ::testing::WithParamInterface<JudgedScan> {};
+
+TEST_P(RealScan, IsWhatSupportsItsModel) {
+  const auto& [name, beyond_bounds] = GetParam();
+  const std::string scan = data(name);
+  if (!std::filesystem::exists(scan)) GTEST_SKIP() << scan << " is not there";
+  ASSERT_EQ(run({"model", scan, "-o", path("m.limpet"), "-q"}).code, 0);
+  const auto check = run({"check", path("m.limpet"), "--scan", scan, "-q", "--json", path("c.json")});
+  EXPECT_EQ(check.code, beyond_bounds > 0 ? 1 : 0) << check.err;
+  const auto evidence = nlohmann::json::parse(read(path("c.json")))["evidence"];
+  const auto& polygons = evidence["polygons"];
+  EXPECT_EQ(std::count_if(polygons.begin(), polygons.end(),
+                          [](const auto& p) { return p["unsupported"] || p["transparent"]; }),
+            beyond_bounds);
+  EXPECT_GT(evidence["explained_share"], 0.7);
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Judged, RealScan,
+    ::testing::Values(JudgedScan{"cgal_points/building.xyz"}, JudgedScan{"cgal_points/ball.ply"},
+                      JudgedScan{"cgal_points/cylinders.ply"}, JudgedScan{"cgal_points/spheres.ply"},
+                      JudgedScan{"cgal_points/oni.pwn"}, JudgedScan{"cgal_points/radar.xyz"},
+                      JudgedScan{"cgal_points/cube.pwn", 1}, JudgedScan{"cgal_points/b9.ply", 1},
+                      JudgedScan{"pcl_test/lamppost.pcd"}, JudgedScan{"pcl_test/office1.pcd"},
+                      JudgedScan{"pcl_mOSD/learn0.pcd"}, JudgedScan{"pcl_mOSD/learn4.pcd", 1},
+                      JudgedScan{"pcl_mOSD/learn17.pcd"}, JudgedScan{"pcl_mOSD/learn33.pcd"},
+                      JudgedScan{"synpeb_sample/test_100.pcd", 1},
+                      JudgedScan{"pcl_test/milk_cartoon_all_small_clorox.pcd", 1}),
+    [](const auto& scan) {
+      std::string name = std::filesystem::path(scan.param.name).stem();
+      std::erase(name, '_');
+      return name;
+    });
 
 class Density : public ProgramTest {};
 
