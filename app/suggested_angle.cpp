@@ -14,14 +14,11 @@ namespace {
 constexpr double kLeastDeg = 1.2;  ///< above what model/ finds a common line for
 constexpr double kBelow = 0.85;    ///< of the least bend: the planes move a little when others are told apart
 
-Eigen::Vector3d normal_of(const model::PolygonSegmentRecord& s) {
-  return (s.chart_normal - s.height[1] * s.chart_u - s.height[2] * s.chart_v).normalized();
-}
-
 /// Of each open edge that μ keeps open: the angle to the plane it was not shared with, in degrees.
-std::vector<double> bends_of(const model::ModelRecord& model, std::span<const model::OpenEdge> open_edges) {
+std::vector<double> bends_of(std::span<const io::LiftedPolygon> polygons,
+                             std::span<const model::OpenEdge> open_edges) {
   std::unordered_map<std::uint64_t, Eigen::Vector3d> normals;
-  for (const auto& s : model.polygon_segments) normals[s.id] = normal_of(s);
+  for (const io::LiftedPolygon& polygon : polygons) normals[polygon.id] = polygon.normal;
   std::vector<double> bends;
   for (const model::OpenEdge& open : open_edges) {
     if (open.refusal != model::Refusal::angle) continue;
@@ -38,9 +35,9 @@ double rounded_down(double number) {
 
 }  // namespace
 
-std::optional<SuggestedAngle> suggested_angle(const model::ModelRecord& model,
+std::optional<SuggestedAngle> suggested_angle(std::span<const io::LiftedPolygon> polygons,
                                               std::span<const model::OpenEdge> open_edges) {
-  std::vector<double> bends = bends_of(model, open_edges);
+  std::vector<double> bends = bends_of(polygons, open_edges);
   std::erase_if(bends, [](double bend) { return kBelow * bend < kLeastDeg; });
   if (bends.empty() || 2 * bends.size() < open_edges.size()) return std::nullopt;
   const auto tenth = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 10);

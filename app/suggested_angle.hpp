@@ -1,8 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <limpet/io/lifted.hpp>
 #include <limpet/model/open_edges.hpp>
-#include <limpet/model/record.hpp>
 #include <optional>
 #include <span>
 
@@ -16,7 +16,7 @@ struct SuggestedAngle {
 
 /// Nothing unless μ is what keeps at least half of the open edges open (Refusal::angle), and less than that
 /// has a common line to share edges on: planes at an angle below 1.2° have none.
-std::optional<SuggestedAngle> suggested_angle(const model::ModelRecord& model,
+std::optional<SuggestedAngle> suggested_angle(std::span<const io::LiftedPolygon> polygons,
                                               std::span<const model::OpenEdge> open_edges);
 
 }  // namespace limpet::app

@@ -48,10 +48,11 @@ Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEd
   }
   s.shared_edges = shared / 2;
   for (const model::OpenEdge& open : open_edges) ++s.open_because[open.refusal];
-  s.suggested_angle = suggested_angle(model, open_edges);
   s.redundant_by_count = model.redundant_by_count;
   s.redundant_by_position = model.redundant_by_position;
-  const auto welds = io::weld(io::lift(model), model.parameters.resolution);
+  const std::vector<io::LiftedPolygon> polygons = io::lift(model);
+  s.suggested_angle = suggested_angle(polygons, open_edges);
+  const auto welds = io::weld(polygons, model.parameters.resolution);
   s.corner_vertices = welds.corners;
   s.corner_distance = welds.corner_distance;
   return s;
