@@ -2,8 +2,6 @@
 #include <limpet/app/toml_section_internal.hpp>
 
 #define TOML_HEADER_ONLY 1
-// Where damaged text breaks its assertions, it goes on to an error that says what is wrong.
-#define TOML_ASSERT(expr) static_assert(true)
 #include <toml++/toml.h>
 
 #include <algorithm>
