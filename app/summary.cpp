@@ -12,6 +12,7 @@
 #include <limpet/io/welded.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <vector>
 
 namespace limpet::app {
 namespace {
