@@ -57,6 +57,8 @@ std::string words_for(const std::string& role, const std::string& path, bool wri
   return role.empty() ? path : role + " " + path;
 }
 
+std::string another_name_for(const std::string& role) { return "give " + role + " another name"; }
+
 }  // namespace
 
 void FileRoles::reads(const std::string& role, const std::string& path) {
@@ -102,10 +104,10 @@ void FileRoles::require_apart() const {
       const std::string both =
           words_for(a.role, a.path, a.written) + " and " + words_for(b.role, b.path, b.written);
       if (a.written || b.written) {
-        const std::string remedy = b.path == "-" && a.path != "-"
-                                       ? "send standard output elsewhere"
-                                       : "give " + (b.written ? b.role : a.role) + " another name";
-        throw UsageError(both + " are the same file; " + remedy);
+        const bool to_elsewhere = b.path == "-" && a.path != "-";
+        throw UsageError(both + " are the same file; " +
+                         (to_elsewhere ? "send standard output elsewhere"
+                                       : another_name_for(b.written ? b.role : a.role)));
       }
       struct stat found;
       const bool once = same_stream || (::stat(a.path.c_str(), &found) == 0 && S_ISFIFO(found.st_mode));

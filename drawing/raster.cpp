@@ -191,8 +191,8 @@ void paint_mark(const Mark& mark, Image& image) {
       const double covered = std::clamp(radius + 0.5 - (mark.from + t * ab - p).norm(), 0.0, 1.0);
       std::uint8_t* pixel = &image.pixels[(static_cast<std::size_t>(y) * image.width + x) * 3];
       for (int channel = 0; channel < 3; ++channel) {
-        pixel[channel] = static_cast<std::uint8_t>(pixel[channel] +
-                                                   covered * (mark.color[channel] - pixel[channel]) + 0.5);
+        pixel[channel] = static_cast<std::uint8_t>(
+            std::lround(pixel[channel] + covered * (mark.color[channel] - pixel[channel])));
       }
     }
   }

@@ -97,7 +97,8 @@ TEST_F(BadInput, ResolutionAngleAndNoiseOutOfRange) {
 TEST_F(BadInput, RecordsThatAreNoPointAreCounted) {
   std::string text = "# x y z ax ay az\n";
   for (int i = 0; i < 400; ++i) {
-    text += std::to_string(i % 20 * 0.05) + " " + std::to_string(i / 20 * 0.05) + " 0 0 0 -1\n";
+    const int row = i / 20;
+    text += std::to_string(i % 20 * 0.05) + " " + std::to_string(row * 0.05) + " 0 0 0 -1\n";
     if (i % 10 == 0) text += "nan 0 0 0 0 -1\n";
     if (i % 40 == 0) text += "0.5 0.5 0 0 0 0\ninf 0 0 0 0 -1\n";
   }

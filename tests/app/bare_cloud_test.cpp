@@ -58,8 +58,9 @@ TEST_F(BareCloud, IsOrientedByItsNeighboursWithAWarning) {
 TEST_F(BareCloud, RoundedCoordinatesAreNoNoise) {
   std::string text;
   for (int i = 0; i < 10'000; ++i) {
+    const int column = i % 100, row = i / 100;
     char line[64];
-    std::snprintf(line, sizeof line, "0.1 %.3f %.3f\n", 0.013 * (i % 100), 0.013 * (i / 100));
+    std::snprintf(line, sizeof line, "0.1 %.3f %.3f\n", 0.013 * column, 0.013 * row);
     text += line;
   }
   const auto result = run({"model", write("wall.xyz", text), "-o", path("m.limpet"), "--json", "-"});

@@ -114,7 +114,10 @@ TEST_F(Checkpoints, OfGuessedAxesGiveTheSameBytes) {
     std::istringstream numbers(line);
     std::string x, y, z;
     numbers >> x >> y >> z;
-    bare += line.starts_with("#") ? "# x y z\n" : x + " " + y + " " + z + "\n";
+    if (line.starts_with("#"))
+      bare += "# x y z\n";
+    else
+      bare.append(x).append(" ").append(y).append(" ").append(z).append("\n");
   }
   const std::string scan_file = write("bare.xyz", bare);
   ASSERT_EQ(run(command(scan_file, "whole")).code, 0);

@@ -68,7 +68,8 @@ TEST_F(Las, EveryPointOfEveryVersion) {
     io::ScanRecord record;
     int i = 0;
     for (; scan->next(record); ++i) {
-      const Eigen::Vector3d truth(500'000 + 0.1 * (i % 50), 5'400'000 + 0.1 * (i / 50), 99.75);
+      const int column = i % 50, row = i / 50;
+      const Eigen::Vector3d truth(500'000 + 0.1 * column, 5'400'000 + 0.1 * row, 99.75);
       ASSERT_NEAR((record.point.position - truth).norm(), 0, 1e-8);
       ASSERT_EQ(record.label, kind.label);
     }

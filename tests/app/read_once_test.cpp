@@ -74,8 +74,9 @@ TEST_F(ReadOnce, SameBytesOfNormalsThatSayNothing) {
   std::string text = "# x y z nx ny nz\nnan 0 0 0 0 0\n";
   std::string bare;
   for (int i = 0; i < 3000; ++i) {
-    const std::string at = std::to_string(i % 50 * 0.02) + " " + std::to_string(i / 50 * 0.02) + " " +
-                           std::to_string(i % 7 * 1e-4);
+    const int row = i / 50;
+    const std::string at =
+        std::to_string(i % 50 * 0.02) + " " + std::to_string(row * 0.02) + " " + std::to_string(i % 7 * 1e-4);
     text += at + " 0 0 0\n", bare += at + "\n";
   }
   const std::string zero = write("zero.xyz", text);
@@ -91,9 +92,11 @@ TEST_F(ReadOnce, SameBytesOfNormalsThatSayNothing) {
 /// One normal that says something makes the others records that are no point.
 TEST_F(ReadOnce, SomeNormalsAreEnough) {
   std::string text = "# x y z nx ny nz\n";
-  for (int i = 0; i < 900; ++i)
-    text += std::to_string(i % 30 * 0.02) + " " + std::to_string(i / 30 * 0.02) + " 0 0 0 " +
+  for (int i = 0; i < 900; ++i) {
+    const int row = i / 30;
+    text += std::to_string(i % 30 * 0.02) + " " + std::to_string(row * 0.02) + " 0 0 0 " +
             (i < 400 ? "0" : "1") + "\n";
+  }
   const std::string some = write("some.xyz", text);
   expect_same(some);
   const auto result = run({"model", some, "-o", path("s.off"), "-q"});

@@ -90,12 +90,18 @@ Meeting expected_meeting(const Line& s, const Line& t) {
   return low == high ? Meeting::kTouch : Meeting::kOverlap;
 }
 
+/// The ith point of an n by n lattice.
+Point lattice_point(int i, int n) {
+  const int row = i / n;
+  return {double(i % n), double(row)};
+}
+
 TEST(Meeting, AgreesWithCramersRuleOnEveryPairOfASmallGrid) {
   constexpr int n = 3;
   std::vector<Line> lines;
   for (int i = 0; i < n * n; ++i)
     for (int j = 0; j < n * n; ++j)
-      if (i != j) lines.push_back({{double(i % n), double(i / n)}, {double(j % n), double(j / n)}});
+      if (i != j) lines.push_back({lattice_point(i, n), lattice_point(j, n)});
   for (const Line& s : lines)
     for (const Line& t : lines) {
       ASSERT_EQ(meeting(s, t), expected_meeting(s, t));
@@ -105,7 +111,7 @@ TEST(Meeting, AgreesWithCramersRuleOnEveryPairOfASmallGrid) {
 
 TEST(SideOf, AgreesWithOrientationOnEverySmallTriangle) {
   constexpr int n = 4;
-  const auto at = [](int i) { return Point{double(i % n), double(i / n)}; };
+  const auto at = [](int i) { return lattice_point(i, n); };
   for (int i = 0; i < n * n; ++i)
     for (int j = 0; j < n * n; ++j)
       for (int k = 0; k < n * n; ++k) {

@@ -2,6 +2,7 @@
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
+#include <cmath>
 #include <cstring>
 #include <limpet/io/lifted.hpp>
 #include <limpet/io/mesh_writer.hpp>
@@ -116,7 +117,7 @@ ReadMesh parse_obj(const std::string& bytes, const std::string& materials) {
       for (int& channel : color) {
         double part = 0;
         kd >> part;
-        channel = static_cast<int>(part * 255 + 0.5);
+        channel = static_cast<int>(std::lround(part * 255));
       }
     } else if (word == "f") {
       auto& face = mesh.faces.emplace_back();

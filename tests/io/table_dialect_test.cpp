@@ -63,7 +63,7 @@ TEST_F(TableDialectTest, WhatCanBeReadInTwoWaysIsRefused) {
   for (const std::string row :
        {"1,2,3 4,5,6", "1,2,3 4,5,6 7,8,9", "1,5, 2,5, 3,5", "1,5 2 3, 4", "1,5 2.5 3",
         "1,234.5 2,345.6 3,456.7", "1,234.5, 2,345.6, 3,456.7", "1,234,567 2 3"})
-    expect_refused(row + "\n" + row + "\n", 0, {"line 1", in_quotes(row).substr(0, 20), "decimal points"});
+    expect_refused(row + ("\n" + row + "\n"), 0, {"line 1", in_quotes(row).substr(0, 20), "decimal points"});
   for (const std::string row : {"1.234,5;1;2", "1,234.5;1;2"})
     expect_refused(row + "\n", 0, {"line 1", "a comma and a point"});
   expect_refused("1,234,567;1;2\n", 0, {"line 1", "'1,234,567' is not a number"});
@@ -190,7 +190,7 @@ TEST_F(TableDialectTest, EveryWayToWriteARowGivesTheSamePoints) {
           std::string text = mark;
           for (std::vector<std::string> row : rows) {
             for (std::string& number : row) std::replace(number.begin(), number.end(), '.', decimal);
-            text += row[0] + separator + row[1] + separator + row[2] + end;
+            text.append(row[0]).append(separator).append(row[1]).append(separator).append(row[2]).append(end);
           }
           expect_points(text, points);
         }

@@ -167,7 +167,8 @@ TEST(View, TiesBetweenPointSegmentsOnALattice) {
   ASSERT_EQ(segments_of(view).size(), 125u);
   std::vector<View::Nearest> found;
   for (int i = 0; i < 64; ++i) {
-    const Vector3d middle(0.25 * (i % 4) + 0.125, 0.25 * (i / 4 % 4) + 0.125, 0.25 * (i / 16) + 0.125);
+    const int row = i / 4 % 4, layer = i / 16;
+    const Vector3d middle(0.25 * (i % 4) + 0.125, 0.25 * row + 0.125, 0.25 * layer + 0.125);
     const auto nearest = view.nearest(middle, kEver).value();
     view.nearest(middle, nearest.distance, found);
     ASSERT_EQ(found.size(), 8u);

@@ -138,8 +138,9 @@ TEST_F(MeshFile, PlyTextAndBothBinaryOrders) {
       for (const std::int32_t v : f) append(v);
     }
     const std::string format = big ? "ply\nformat binary_big_endian" : "ply\nformat binary_little_endian";
-    expect_tetrahedron(load("binary.ply", format + header + data));
-    EXPECT_NE(error("cut.ply", format + header + data.substr(0, 60)).find("too early"), std::string::npos);
+    const std::string head = format + header;
+    expect_tetrahedron(load("binary.ply", head + data));
+    EXPECT_NE(error("cut.ply", head + data.substr(0, 60)).find("too early"), std::string::npos);
   }
 }
 

@@ -129,14 +129,18 @@ TEST(Orientation, HoldsAcrossASharpEdge) {
 }
 
 TEST(Orientation, AWallIsOfOneSide) {
+  const auto place = [](int i) {
+    const int row = i / 100;
+    return Eigen::Vector3d(0.01 * (i % 100), 0, 0.01 * row);
+  };
   Orientation orientation(0.1);
-  for (int i = 0; i < 10'000; ++i) orientation.add({0.01 * (i % 100), 0, 0.01 * (i / 100)});
+  for (int i = 0; i < 10'000; ++i) orientation.add(place(i));
   orientation.solve();
   EXPECT_EQ(orientation.components(), 1);
   const Eigen::Vector3d axis = orientation.axis({0.5, 0, 0.5});
   EXPECT_NEAR(std::abs(axis.y()), 1, 1e-9);
   for (int i = 0; i < 10'000; i += 7) {
-    EXPECT_NEAR(orientation.axis({0.01 * (i % 100), 0, 0.01 * (i / 100)}).dot(axis), 1, 1e-9);
+    EXPECT_NEAR(orientation.axis(place(i)).dot(axis), 1, 1e-9);
   }
 }
 

@@ -17,8 +17,9 @@ using Points = std::vector<model::SensorPoint>;
 /// A lattice, which is hard on hashes, in a random order.
 Points lattice(int side, std::uint64_t seed) {
   Points points;
-  for (int i = 0; i < side * side; ++i)
-    points.push_back({Eigen::Vector3d(i % side, i / side, 0) / 64, Eigen::Vector3d::UnitZ()});
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column)
+      points.push_back({Eigen::Vector3d(column, row, 0) / 64, Eigen::Vector3d::UnitZ()});
   testing::shuffle(points, seed);
   return points;
 }

@@ -39,7 +39,8 @@ TEST(SurfaceVoxels, PatchesOfAPlaneHaveItsNormal) {
 TEST(SurfaceVoxels, AnEdgeIsNotFlatAndALineHasNoNormal) {
   SurfaceVoxels voxels(1);
   for (int i = 0; i < 2000; ++i) {
-    const double a = 0.05 * (i % 50), b = 0.1 * (i / 50);
+    const int row = i / 50;
+    const double a = 0.05 * (i % 50), b = 0.1 * row;
     voxels.add({a, b, 0});
     voxels.add({0, b, a});
   }
