@@ -40,6 +40,10 @@ int boxes(const Parameters& parameters) {
   return parameters.empty() ? 9 : parameter<int>(parameters[0], 1, 100'000);
 }
 
+int cells(const Parameters& parameters) {
+  return parameters.empty() ? 12 : parameter<int>(parameters[0], 1, 1000);
+}
+
 Mesh box(const Vector3d& size) {
   BoxWorld world;
   world.add(Vector3d::Zero(), size);
@@ -123,6 +127,8 @@ const std::vector<Shape>& shapes() {
          return box({1, 1, thickness(p)});
        },
        thickness},
+      {"cells", "cells:12", 2, [](const Parameters& p) { return make_cells(cells(p), seed(p, 1)); },
+       [](const Parameters& p) { return cells(p), seed(p, 1), 0.75; }},
       {"room", "room:1", 1, [](const Parameters& p) { return make_room(seed(p, 0)); },
        [](const Parameters& p) { return seed(p, 0), 0.25; }},
       {"city", "city:9", 2, [](const Parameters& p) { return make_city(boxes(p), seed(p, 1)); },

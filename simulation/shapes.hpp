@@ -29,6 +29,9 @@ namespace limpet::simulation {
 ///   sphere:N        diameter 1; facets between N meridians and N/2 parallels     N·N/2    1
 ///   drum:N          a cylinder of N sides on a block of 1 × 1 × 0.375,           N + 7    0.1875
 ///                   diameter 0.625, 0.5 high
+///   cells:N[:SEED]  N cells of a sheared lattice joined by their faces; one sheet,     varies  0.75
+///                   whose vertices may have four faces, two of them in one plane, or
+///                   six, of which pairs lie in one plane and touch there only
 ///   room:SEED       a 12 × 8 × 3 room seen from inside, with boxes on the floor,     about 200 0.25
 ///                   against the walls and on one another (SEED 1 if left out)
 ///   city:N[:SEED]   N boxes of 0.8 to 1.2 × 0.8 to 1.2, 0.5 to 1.5 high, on a        5N + 1       0.5
@@ -36,7 +39,7 @@ namespace limpet::simulation {
 ///                   least 0.5 apart; the ground is one face with N holes
 ///
 /// All but open_box, room and city are closed. Throws MeshError on a name that is none of these, or a
-/// parameter out of range (N of a city from 1 to 100 000, of a sphere or drum a multiple of 4 from 8 to 1024,
+/// parameter out of range (N of a city from 1 to 100 000, of cells from 1 to 1000, of a sphere or drum a multiple of 4 from 8 to 1024,
 /// 64 if left out). The same name gives the same mesh on every machine.
 Mesh make_shape(const std::string& name);
 

@@ -21,6 +21,10 @@ Mesh make_sphere(int meridians);
 /// Precondition: a multiple of 4, 8 or more.
 Mesh make_drum(int sides);
 
+// shapes_cells.cpp
+/// Precondition: count > 0.
+Mesh make_cells(int count, std::uint64_t seed);
+
 // shapes_scattered.cpp
 Mesh make_room(std::uint64_t seed);
 Mesh make_city(int boxes, std::uint64_t seed);

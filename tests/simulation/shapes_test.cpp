@@ -70,7 +70,7 @@ TEST(Shapes, NormalsPointOutOfTheSolid) {
 }
 
 TEST(Shapes, EveryNameWorksAndHasAFeature) {
-  EXPECT_EQ(shape_names().size(), 17u);
+  EXPECT_EQ(shape_names().size(), 18u);
   for (const std::string& name : shape_names()) {
     EXPECT_TRUE(is_shape(name));
     EXPECT_GT(make_shape(name).face_count, 0) << name;
@@ -83,12 +83,26 @@ TEST(Shapes, EveryNameWorksAndHasAFeature) {
 TEST(Shapes, WrongNamesAreRefused) {
   for (const std::string name : {"", "ball", "sphere:6", "sphere:10", "drum:1028", "drum:8:8", "cube:1",
                                  "thin_plate:0", "thin_plate:2", "thin_plate:nan", "thin_plate:x", "city:0",
-                                 "city:100001", "city:3:4:5", "room:-1", "room:1.5", "city:"}) {
+                                 "city:100001", "city:3:4:5", "cells:0", "cells:1001", "room:-1", "room:1.5", "city:"}) {
     EXPECT_THROW(make_shape(name), MeshError) << name;
     EXPECT_THROW(feature_size(name), MeshError) << name;
   }
   EXPECT_FALSE(is_shape("ball"));
   EXPECT_THROW(make_scene("ball"), MeshError);
+}
+
+/// One closed sheet round as many cells; shearing keeps volumes.
+TEST(Cells, AreOneSheetRoundTheirCells) {
+  for (const int seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
+    SCOPED_TRACE(seed);
+    const Mesh mesh = make_shape("cells:12:" + std::to_string(seed));
+    EXPECT_NEAR(signed_volume(mesh), 12, 1e-9);
+    const EdgeCounts edges = count_edges(mesh);
+    EXPECT_EQ(edges.open, 0);
+    EXPECT_EQ(edges.crowded, 0);
+    EXPECT_GE(mesh.face_count, 8);
+  }
+  EXPECT_EQ(make_shape("cells:1:3").face_count, 6);
 }
 
 TEST(City, GroundIsOneFaceWithAHoleForEachBox) {
