@@ -13,6 +13,8 @@ namespace {
 constexpr double kParallelSine = 1e-9;
 constexpr int kLineSteps = 2;
 constexpr int kEndSteps = 2 * kLineSteps;  // either copy's end may be kLineSteps from their common point
+constexpr double kRunsOnSine = 0.2;        // below it, two edges with one end run on in one line
+constexpr double kRunsOnReach = 0.25;      // resolutions: from the common line, where they do
 
 struct EdgePlace {
   std::size_t polygon, cycle, vertex;
@@ -148,6 +150,19 @@ class Sharing {
     return before && after && before->polygon != after->polygon;
   }
 
+  // Do the two edges at a corner vertex run on in one line, or nearly so? As two planes that are parallel or
+  // nearly so then cut the polygon's, the lines do not say where the corner is.
+  bool runs_on(const EdgePlace& at) const {
+    if (!is_corner(at) || !std::isfinite(document_.resolution)) return false;
+    const EdgePlace before = previous(at);
+    const std::size_t first = partner(before)->polygon, second = partner(at)->polygon;
+    if (!planes_[first] || !planes_[second]) return false;
+    if (dot(position(at) - position(before), position(next(at)) - position(at)).sign() <= 0) return false;
+    const ExactVector a = cross(plane(at).normal, planes_[first]->normal),
+                      b = cross(plane(at).normal, planes_[second]->normal), turn = cross(a, b);
+    return dot(turn, turn) <= Dyadic(kRunsOnSine) * Dyadic(kRunsOnSine) * dot(a, a) * dot(b, b);
+  }
+
   void judge_geometry(const Pair& pair) {
     const auto& [e, f] = pair;
     if (!planes_[e.polygon] || !planes_[f.polygon]) return;
@@ -178,8 +193,9 @@ class Sharing {
   // "within 2 steps / sin θ of the line" is checked as "within 2 steps of the other plane".
   void judge_line(const EdgePlace& at, const EdgePlace& other) {
     const ExactVector& normal = plane(other).normal;
-    const Dyadic reach = Dyadic(kLineSteps) * Dyadic(document_.step);
     for (const EdgePlace& end : {at, next(at)}) {
+      const Dyadic reach = runs_on(end) ? Dyadic(kRunsOnReach) * Dyadic(document_.resolution)
+                                        : Dyadic(kLineSteps) * Dyadic(document_.step);
       const Dyadic off = dot(normal, position(end) - plane(other).q);
       if (reach * reach * dot(normal, normal) < off * off)
         report_.add("shared-line", name(at),

@@ -76,11 +76,10 @@ bool gives_way(const Complex& complex, const RingPart& part) {
 }
 
 /// Sets the part's corner, and checks the conditions on its distances and directions (thesis §2.7).
-Refusal fit_corner(const Complex& complex, RingPart& part, const SharingReach& reach) {
+Refusal fit_corner(const Complex& complex, const Ring& ring, RingPart& part, const SharingReach& reach) {
   const PolygonPart& polygon = *part.segment->polygon;
   const double lambda2 = complex.setting().lambda2;
-  const auto corner = common_point(part.line_before,
-                                   segment_across(complex, node_of(part, part.after).edge).polygon->plane());
+  const auto corner = place_of_corner(complex, ring, part);
   if (!corner) return Refusal::corner_far;
   part.corner = geometry::round_to_grid(polygon.chart.project(*corner));
   bool reached = false, far = false;
@@ -168,7 +167,7 @@ CornerEdits edits_for(const Complex& complex, Ring& ring, const SharingReach& re
   CornerEdits corner;
   corner.formed_already = true;
   for (RingPart& part : ring.parts) {
-    if (const Refusal refusal = fit_corner(complex, part, reach); refusal != Refusal::none)
+    if (const Refusal refusal = fit_corner(complex, ring, part, reach); refusal != Refusal::none)
       return {refusal, false, {}};
     corner.formed_already &= formed_already(part);
   }

@@ -28,6 +28,16 @@ struct Ring {
 /// not closed if it does not return to e₁ over distinct segments; then `parts` are those passed until there.
 Ring ring_from(const Complex&, const Segment& s, geometry::Slot first);
 
+/// Where the corner is on a part of a ring: where the lines of e₁ and e₂ meet. Where these run on in one line
+/// or nearly so (kRunsOnSine), it is the place on the part's plane that is nearest to all planes of the ring;
+/// nothing if that is farther than kRunsOnReach from one of the two neighbours' planes.
+std::optional<Eigen::Vector3d> place_of_corner(const Complex&, const Ring&, const RingPart&);
+/// The same for a vertex of `s`, which is a corner already: `line` is that of one of its edges, and `other`
+/// is the other one. What the planes do not determine stays as near as may be to `near`.
+std::optional<Eigen::Vector3d> place_of_corner(const Complex&, const Segment& s, geometry::Slot vertex,
+                                               const CommonLine& line, geometry::EdgeId other,
+                                               const Eigen::Vector3d& near);
+
 /// The edits that form the corner, one for each part of the ring, all judged valid; or the condition that
 /// refuses it.
 struct CornerEdits {

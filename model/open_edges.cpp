@@ -186,7 +186,7 @@ class Explanation {
       if (ring.parts.empty()) continue;
       const RingPart& part = ring.parts.front();
       const Segment& beyond = complex_.at(complex_.edges().across(perimeter.node(part.after).edge).segment);
-      const auto corner = common_point(part.line_before, beyond.polygon->plane());
+      const auto corner = place_of_corner(complex_, ring, part);
       if (!corner) continue;
       const Refusal refusal = edits_for(complex_, ring, reach_).refusal;
       for (std::size_t i = 0; i + 1 < part.between.size(); ++i)

@@ -9,7 +9,7 @@
 
 #include <limpet/geometry/predicates.hpp>
 
-#include "common_line_internal.hpp"
+#include "corners_internal.hpp"
 #include "sharing_internal.hpp"
 #include "thresholds_internal.hpp"
 
@@ -83,7 +83,7 @@ class Repositioning {
     if (!line) return false;
     Eigen::Vector3d to = line->at(line->place_of(from));
     if (corner) {
-      const auto point = common_point(*line, complex_.at(table_.across(other).segment).polygon->plane());
+      const auto point = place_of_corner(complex_, a, vertex, *line, other, from);
       if (!point) return false;
       to = *point;
     }

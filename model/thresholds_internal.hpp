@@ -58,6 +58,12 @@ inline constexpr double kEndSteps = 3.5;
 inline constexpr double kLeastSharedSteps = 16, kLeastKeptSteps = 8;
 /// Below this sine of the angle between them (1.1°) two planes have no line to share edges on.
 inline constexpr double kLeastSine = 0.02;
+/// Below this sine of the angle between them two lines say too little of where they meet; a corner's edges
+/// then run on in one line. Its place is found by other planes, and may be this far (λ) from theirs. The laws
+/// of audit/ allow a fifth and a quarter.
+inline constexpr double kRunsOnSine = 0.199, kRunsOnReach = 0.24;
+/// Part of the largest of the sums of squares of planes below which they do not determine a point.
+inline constexpr double kDetermined = 0.01;
 /// In grid steps: a cut of the perimeter within this distance of a vertex is made at the vertex itself.
 inline constexpr double kSameSteps = 3;
 /// In λ: how far sections may be from their line while readings come, and at the end of input (rule `voids`);

@@ -39,8 +39,8 @@ namespace limpet::simulation {
 ///                   least 0.5 apart; the ground is one face with N holes
 ///
 /// All but open_box, room and city are closed. Throws MeshError on a name that is none of these, or a
-/// parameter out of range (N of a city from 1 to 100 000, of cells from 1 to 1000, of a sphere or drum a multiple of 4 from 8 to 1024,
-/// 64 if left out). The same name gives the same mesh on every machine.
+/// parameter out of range (N of a city from 1 to 100 000, of cells from 1 to 1000, of a sphere or drum a
+/// multiple of 4 from 8 to 1024, 64 if left out). The same name gives the same mesh on every machine.
 Mesh make_shape(const std::string& name);
 
 /// The `feature` of a shape. Throws as make_shape does.

@@ -50,8 +50,8 @@ class Lattice {
     return static_cast<std::size_t>((c[2] * side_ + c[1]) * side_ + c[0]);
   }
 
-  /// Around a vertex the surface is one sheet if the solid ones of the eight cells are connected by faces, and
-  /// the empty ones, too.
+  /// Around a vertex the surface is one sheet if the solid ones of the eight cells are connected by faces,
+  /// and the empty ones, too.
   bool is_one_sheet_at(const Cell& vertex) const {
     std::array<bool, 8> kind{}, seen{};
     for (int i = 0; i < 8; ++i)

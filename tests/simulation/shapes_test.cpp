@@ -81,9 +81,10 @@ TEST(Shapes, EveryNameWorksAndHasAFeature) {
 }
 
 TEST(Shapes, WrongNamesAreRefused) {
-  for (const std::string name : {"", "ball", "sphere:6", "sphere:10", "drum:1028", "drum:8:8", "cube:1",
-                                 "thin_plate:0", "thin_plate:2", "thin_plate:nan", "thin_plate:x", "city:0",
-                                 "city:100001", "city:3:4:5", "cells:0", "cells:1001", "room:-1", "room:1.5", "city:"}) {
+  for (const std::string name :
+       {"", "ball", "sphere:6", "sphere:10", "drum:1028", "drum:8:8", "cube:1", "thin_plate:0",
+        "thin_plate:2", "thin_plate:nan", "thin_plate:x", "city:0", "city:100001", "city:3:4:5", "cells:0",
+        "cells:1001", "room:-1", "room:1.5", "city:"}) {
     EXPECT_THROW(make_shape(name), MeshError) << name;
     EXPECT_THROW(feature_size(name), MeshError) << name;
   }
