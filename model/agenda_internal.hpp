@@ -100,6 +100,11 @@ class Agenda {
   void note_redundant(SegmentId id) { redundant_.push_back(id); }
   std::vector<SegmentId> take_redundant() { return std::exchange(redundant_, {}); }
 
+  /// finish() has cut a polygon in two here (world); its parts do not merge until it ends (rule `pinches`).
+  void note_parting(const Eigen::Vector3d& at) { partings_.push_back(at); }
+  const std::vector<Eigen::Vector3d>& partings() const { return partings_; }
+  void forget_partings() { partings_.clear(); }
+
   /// A point segment grew when `now` sensor points had come; later it is asked whether it expires.
   void note_age(SegmentId id, std::int64_t now) { by_age_.emplace_back(now, id); }
   /// The next entry of note_age() from before then. A segment comes up once for every time it grew.
@@ -133,6 +138,7 @@ class Agenda {
   std::int64_t looked_at_ = 0;  ///< sensor points that had come at the last looks_for()
   std::map<SegmentPair, std::pair<std::uint64_t, std::uint64_t>> refused_;
   std::set<SegmentPair> disordered_;
+  std::vector<Eigen::Vector3d> partings_;  ///< only during finish()
   std::vector<SegmentId> redundant_;
   std::deque<std::pair<std::int64_t, SegmentId>> by_age_;
 };

@@ -10,6 +10,7 @@
 #include "heights_internal.hpp"
 #include "meeting_internal.hpp"
 #include "merging_internal.hpp"
+#include "pinches_internal.hpp"
 #include "publish_internal.hpp"
 #include "series_internal.hpp"
 #include "sharing_internal.hpp"
@@ -123,7 +124,8 @@ bool merge_polygon_segments(Complex& complex, Agenda& agenda, const Segment& s1,
   if (a.initial() || b.initial()) return false;
   if (!within(a.polygon->box, b.polygon->box, setting.lambda) || !planes_agree(setting, a, b) ||
       agenda.remembered_as_refused(pair_of(a, b), shapes_of(a, b)) ||
-      !may_meet_where_changed(setting, s1, agenda.polygon(s1.slot).changed, s2))
+      !may_meet_where_changed(setting, s1, agenda.polygon(s1.slot).changed, s2) ||
+      parted(setting, agenda, a, b))
     return false;
   const PolygonPart& part = *a.polygon;
   if (!part.shared.empty() && !b.polygon->shared.empty()) complex.dissolve_neighbours(a, b);

@@ -8,7 +8,7 @@
 namespace limpet::model {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool Rules::*>, 16> kRules = {{
+constexpr std::array<std::pair<const char*, bool Rules::*>, 17> kRules = {{
     {"promotion", &Rules::promotion},
     {"chance", &Rules::chance},
     {"patch", &Rules::patch},
@@ -22,6 +22,7 @@ constexpr std::array<std::pair<const char*, bool Rules::*>, 16> kRules = {{
     {"holes", &Rules::holes},
     {"voids", &Rules::voids},
     {"spurs", &Rules::spurs},
+    {"pinches", &Rules::pinches},
     {"position", &Rules::position},
     {"finish", &Rules::finish},
     {"expiry", &Rules::expiry},

@@ -27,6 +27,9 @@ struct Rules {
   bool voids = true;
   /// When finishing, small or thin parts of a polygon beyond a line of intersection give way to it.
   bool spurs = true;
+  /// When finishing, a polygon that fills two opposite quadrants between two others' planes is cut in two
+  /// there.
+  bool pinches = true;
   /// When finishing, segments without neighbours that lie on larger ones are deleted.
   bool position = true;
   bool finish = true;  ///< at the end of input, the update is repeated until nothing changes

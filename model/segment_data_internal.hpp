@@ -43,6 +43,8 @@ class SegmentData {
   };
 
   SegmentData() = default;
+  /// The data of a mature segment.
+  SegmentData(const Sums& sums, std::int64_t last_joined) : sums_(sums), last_joined_(last_joined) {}
   /// The data of a single point, which joins now.
   SegmentData(const RawPoint&, std::int64_t now);
 

@@ -76,6 +76,16 @@ inline constexpr double kSectionReachOn = 2;
 /// (thesis §2.9).
 inline constexpr double kSameWay = 0.5;
 
+// Pinches (rule `pinches`).
+
+/// In λ: how far from the lines of two others' planes a polygon is asked whether it is there. A merger of two
+/// parts closes what is nearer than half of this.
+inline constexpr double kPinchDepth = 0.75;
+/// Least sine of half the angle between the two lines.
+inline constexpr double kLeastPinchSine = 0.25;
+/// Fewest readings that a part may stand for.
+inline constexpr std::int64_t kFewestShared = 5;
+
 // What finishing may add (rule `voids`, chance.cpp).
 
 /// So many empty discs as large as one that is closed may be left by chance in a whole scan.

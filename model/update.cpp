@@ -9,6 +9,7 @@
 #include "fissures_internal.hpp"
 #include "initial_internal.hpp"
 #include "merging_internal.hpp"
+#include "pinches_internal.hpp"
 #include "promotion_internal.hpp"
 #include "publish_internal.hpp"
 #include "redundancy_internal.hpp"
@@ -56,6 +57,7 @@ bool mergers_and_fissures(Engine& e) {
   e.clock.lap(&StageTimes::dissolving);
   for (int round = 0; round < kMaxMergeRounds && merge_modified_polygons(e.complex, e.agenda); ++round)
     any = true;
+  if (e.agenda.finishing) any |= cut_at_pinches(e.complex, e.agenda);
   e.clock.lap(&StageTimes::mergers);
   any |= fill_modified(e.complex, e.agenda);
   e.clock.lap(&StageTimes::fissures);
@@ -218,6 +220,7 @@ void finish(Engine& e, const std::function<bool()>& stop) {
     if (e.setting.parameters.neighbours) close_what_is_open(e);
     e.agenda.finishing = e.agenda.sharing.from_shared = false;
     e.agenda.stop = nullptr;
+    e.agenda.forget_partings();
   }
   end_call(e);
 }

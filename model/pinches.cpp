@@ -1,0 +1,139 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Where six faces meet, three planes may have two of them each, which touch in the vertex only. As they grow
+// they come within λ of each other there, and become one polygon; which planes pass there is known when all
+// are.
+#include "pinches_internal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <limpet/geometry/cut.hpp>
+#include <limpet/geometry/predicates.hpp>
+
+#include "area_moments_internal.hpp"
+#include "line_chains_internal.hpp"
+#include "meeting_internal.hpp"
+
+namespace limpet::model::internal {
+namespace {
+
+using geometry::Point2;
+
+/// A place where a polygon may be cut, and the ends of the cut in its chart.
+struct Pinch {
+  Eigen::Vector3d at;
+  Point2 from, to;
+};
+
+Point2 unit(Point2 p) { return 1 / std::sqrt(squared_length(p)) * p; }
+
+/// Does the polygon fill two opposite quadrants between the two lines (directions in its chart) through p,
+/// and none of the other two? They are asked kPinchDepth from both lines, where no merger of the two can have
+/// got.
+std::optional<Pinch> pinch_at(const Setting& setting, const PolygonPart& part, const Eigen::Vector3d& at,
+                              Point2 along_first, Point2 along_second) {
+  const Point2 p = part.chart.project(at), u = unit(along_first), v = unit(along_second);
+  const std::array<Point2, 4> bisectors{unit(u + v), unit(v - u), unit(-1 * (u + v)), unit(u - v)};
+  std::array<Point2, 4> probes{};
+  std::array<bool, 4> filled{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double sine = std::abs(cross(bisectors[i], u));
+    if (sine < kLeastPinchSine) return std::nullopt;
+    probes[i] = geometry::round_to_grid(p + kPinchDepth * setting.gap / sine * bisectors[i]);
+    filled[i] = part.perimeter.locate(probes[i]) == geometry::Polygon::Side::inside;
+  }
+  if (filled[0] != filled[2] || filled[1] != filled[3] || filled[0] == filled[1]) return std::nullopt;
+  const std::size_t empty = filled[0] ? 1 : 0;
+  return Pinch{at, probes[empty], probes[empty + 2]};
+}
+
+/// The directions of a line in a chart.
+Point2 seen_along(const geometry::Chart& chart, const CommonLine& line) {
+  return {line.along.dot(chart.u()), line.along.dot(chart.v())};
+}
+
+Box3 common_box(const Setting& setting, const PolygonPart& a, const PolygonPart& b) {
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(setting.lambda);
+  return {a.box.min().cwiseMax(b.box.min()) - reach, a.box.max().cwiseMin(b.box.max()) + reach};
+}
+
+/// The pinches of a polygon, by the identities of the two that cross it; one of several at the same place.
+std::vector<Pinch> pinches_of(const Complex& complex, const Segment& s) {
+  std::vector<Pinch> found;
+  const Setting& setting = complex.setting();
+  const PolygonPart& part = *s.polygon;
+  for (const auto& [first_id, first_slot] : polygons_near(complex, DirtyRegion(part.box), s.slot)) {
+    const PolygonPart& first = *complex.at(first_slot).polygon;
+    const auto crossing = line_between(setting, part, first);
+    if (!crossing) continue;
+    const DirtyRegion where(common_box(setting, part, first));
+    for (const auto& [second_id, second_slot] : polygons_near(complex, where, s.slot)) {
+      if (!(first_id < second_id)) continue;
+      const PolygonPart& second = *complex.at(second_slot).polygon;
+      const auto at = common_point(crossing->line, second.plane());
+      const auto line = common_line(part.plane(), second.plane(), part.box.center());
+      if (!at || !line || !common_box(setting, part, second).contains(*at)) continue;
+      const auto pinch =
+          pinch_at(setting, part, *at, seen_along(part.chart, crossing->line), seen_along(part.chart, *line));
+      if (!pinch || !lies_near(setting, part, *at) || !lies_near(setting, first, *at) ||
+          !lies_near(setting, second, *at))
+        continue;
+      const bool known = std::any_of(found.begin(), found.end(), [&](const Pinch& other) {
+        return (other.at - *at).squaredNorm() < setting.lambda2;
+      });
+      if (!known) found.push_back(*pinch);
+    }
+  }
+  return found;
+}
+
+/// Cuts the polygon there. Returns the piece, or null.
+const Segment* cut_at(Complex& complex, const Segment& s, const Pinch& pinch) {
+  const PolygonPart& part = *s.polygon;
+  auto cut = geometry::cut_off(part.perimeter, pinch.from, pinch.to, complex.edge_ids());
+  if (!cut) return nullptr;
+  cut->piece.take_removed();
+  geometry::Polygon rest = part.perimeter;
+  geometry::EdgeIds unused = complex.edge_ids();
+  rest.commit(cut->rest, unused);
+  const auto shares = shared_out(complex.setting(), s, rest, cut->piece);
+  if (!shares) return nullptr;
+  auto piece = std::make_unique<PolygonPart>();
+  piece->chart = part.chart;
+  piece->published = part.published;
+  piece->outward = part.outward;
+  piece->initial = part.initial;
+  piece->perimeter = std::move(cut->piece);
+  return &complex.split(s, cut->rest, std::move(piece), *shares);
+}
+
+}  // namespace
+
+bool cut_at_pinches(Complex& complex, Agenda& agenda) {
+  if (!complex.rules().pinches) return false;
+  Turn turn = polygons_of(complex, agenda.modified(), [](const Segment& s) { return s.mature_polygon(); });
+  bool any = false;
+  for (std::size_t i = 0; i < turn.size() && !agenda.stopped(); ++i) {
+    const Segment& s = complex.at(turn[i].second);
+    for (const Pinch& pinch : pinches_of(complex, s)) {
+      agenda.note_parting(pinch.at);
+      const Segment* piece = cut_at(complex, s, pinch);
+      if (!piece) continue;
+      any = true;
+      turn.emplace_back(s.id, s.slot);  // each part may have another
+      turn.emplace_back(piece->id, piece->slot);
+      break;
+    }
+  }
+  return any;
+}
+
+bool parted(const Setting& setting, const Agenda& agenda, const Segment& a, const Segment& b) {
+  return std::any_of(agenda.partings().begin(), agenda.partings().end(), [&](const Eigen::Vector3d& at) {
+    return lies_near(setting, *a.polygon, at) && lies_near(setting, *b.polygon, at);
+  });
+}
+
+}  // namespace limpet::model::internal
