@@ -31,22 +31,24 @@ Point2 unit(Point2 p) { return 1 / std::sqrt(squared_length(p)) * p; }
 
 /// Does the polygon fill two opposite quadrants between the two lines (directions in its chart) through p,
 /// and none of the other two? They are asked kPinchDepth from both lines, where no merger of the two can have
-/// got.
+/// got, and twice as far, as chance may leave a corner out.
 std::optional<Pinch> pinch_at(const Setting& setting, const PolygonPart& part, const Eigen::Vector3d& at,
                               Point2 along_first, Point2 along_second) {
   const Point2 p = part.chart.project(at), u = unit(along_first), v = unit(along_second);
   const std::array<Point2, 4> bisectors{unit(u + v), unit(v - u), unit(-1 * (u + v)), unit(u - v)};
-  std::array<Point2, 4> probes{};
+  std::array<Point2, 4> ends{};
   std::array<bool, 4> filled{};
   for (std::size_t i = 0; i < 4; ++i) {
     const double sine = std::abs(cross(bisectors[i], u));
     if (sine < kLeastPinchSine) return std::nullopt;
-    probes[i] = geometry::round_to_grid(p + kPinchDepth * setting.gap / sine * bisectors[i]);
-    filled[i] = part.perimeter.locate(probes[i]) == geometry::Polygon::Side::inside;
+    const Point2 step = kPinchDepth * setting.gap / sine * bisectors[i];
+    ends[i] = geometry::round_to_grid(p + step);
+    for (const Point2 probe : {ends[i], geometry::round_to_grid(p + 2 * step)})
+      filled[i] = filled[i] || part.perimeter.locate(probe) == geometry::Polygon::Side::inside;
   }
   if (filled[0] != filled[2] || filled[1] != filled[3] || filled[0] == filled[1]) return std::nullopt;
   const std::size_t empty = filled[0] ? 1 : 0;
-  return Pinch{at, probes[empty], probes[empty + 2]};
+  return Pinch{at, ends[empty], ends[empty + 2]};
 }
 
 /// The directions of a line in a chart.
@@ -89,10 +91,23 @@ std::vector<Pinch> pinches_of(const Complex& complex, const Segment& s) {
   return found;
 }
 
+/// A cut through the pinch; beside it, where that would meet a vertex, or a hole, or be rounded too much.
+std::optional<geometry::Cut> cut_near(Complex& complex, const geometry::Polygon& perimeter,
+                                      const Pinch& pinch) {
+  const Point2 along = unit(pinch.to - pinch.from), across{-along.y, along.x};
+  for (const double shift : {0., 1. / 256, -1. / 256, 1. / 32, -1. / 32, 1. / 8, -1. / 8, 1. / 4, -1. / 4}) {
+    const Point2 by = shift * complex.setting().gap * across;
+    auto cut = geometry::cut_off(perimeter, geometry::round_to_grid(pinch.from + by),
+                                 geometry::round_to_grid(pinch.to + by), complex.edge_ids());
+    if (cut) return cut;
+  }
+  return std::nullopt;
+}
+
 /// Cuts the polygon there. Returns the piece, or null.
 const Segment* cut_at(Complex& complex, const Segment& s, const Pinch& pinch) {
   const PolygonPart& part = *s.polygon;
-  auto cut = geometry::cut_off(part.perimeter, pinch.from, pinch.to, complex.edge_ids());
+  auto cut = cut_near(complex, part.perimeter, pinch);
   if (!cut) return nullptr;
   cut->piece.take_removed();
   geometry::Polygon rest = part.perimeter;
