@@ -44,6 +44,47 @@ TEST(SharedEdges, CornersNeedNotMeet) {
   EXPECT_EQ(broken(document), Names{"shared-line"});
 }
 
+/// A wall above the floor on the left, and above nothing on the right, where its foot is that of a ceiling
+/// that lies `up` steps higher: its corner is on neither of the two lines.
+Document on_two_floors(std::int64_t up, double corner) {
+  Document d = empty_document();
+  const Frame wall = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+  const Frame ceiling = {{0, 0, up}, {1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  add_polygon(d, wall,
+              {{{-1000, 0}, {0, corner}, {1000, static_cast<double>(up)}, {1000, 1000}, {-1000, 1000}}});
+  add_polygon(d, kFloor, {rectangle(-1000, -1000, 0, 0)});
+  add_polygon(d, ceiling, {rectangle(0, -1000, 1000, 0)});
+  share(vertex_at(d, 0, {-1000, 0}), vertex_at(d, 1, {0, 0}));
+  share(vertex_at(d, 0, {0, corner}), vertex_at(d, 2, {1000, 0}));
+  return d;
+}
+
+// Where two planes are parallel or nearly so, a corner may be a quarter of the resolution from their lines.
+TEST(SharedEdges, WhereLinesRunOnTheCornerNeedNotBeOnThem) {
+  const auto quarter = static_cast<std::int64_t>(empty_document().resolution / empty_document().step / 4);
+  EXPECT_EQ(broken(on_two_floors(0, 0)), kNothing);
+  EXPECT_EQ(broken(on_two_floors(quarter, static_cast<double>(quarter / 2))), kNothing);
+  EXPECT_EQ(broken(on_two_floors(quarter, static_cast<double>(quarter))), kNothing);
+  EXPECT_EQ(broken(on_two_floors(quarter + 1, static_cast<double>(quarter + 1))), Names{"shared-line"});
+  EXPECT_EQ(broken(on_two_floors(quarter + 1, 0)), Names{"shared-line"});
+}
+
+// At an angle with a sine above a fifth they say where it is.
+TEST(SharedEdges, WhereLinesTurnTheCornerIsOnThem) {
+  for (const double corner : {0, 5}) {
+    Document d = on_two_floors(0, corner);
+    Vertex& end = vertex_at(d, 0, {1000, 0});
+    end.x = 960, end.y = 280;
+    Polygon& slope = d.polygons[2];
+    d.points -= slope.moments.m;
+    slope.moments = {};
+    slope.axis_sum = {};
+    slope.u = {0.96, 0, 0.28};
+    slope.n = slope.initial_normal = {0.28, 0, -0.96};
+    EXPECT_EQ(broken(d), corner > 0 ? Names{"shared-line"} : kNothing);
+  }
+}
+
 TEST(SharedEdges, OpenEndsMustMeet) {
   Document document = roof();
   vertex_at(document, 1, {1000, 0}).x = 900;
