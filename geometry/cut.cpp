@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <limpet/geometry/predicates.hpp>
@@ -108,6 +109,7 @@ std::optional<Cut> cut_off(const Polygon& polygon, Point2 a, Point2 b, EdgeIds& 
   auto piece = Polygon::from_cycles(cycles, ids);
   if (!piece || polygon.judge(cut.rest) != Verdict::valid) return std::nullopt;
   cut.piece = std::move(*piece);
+  cut.length = std::sqrt(squared_length(to.at - from.at));
   return cut;
 }
 

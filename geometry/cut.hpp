@@ -10,8 +10,9 @@ namespace limpet::geometry {
 
 /// What cutting a polygon in two would make of it.
 struct Cut {
-  Edit rest;      ///< takes the piece away from the polygon
-  Polygon piece;  ///< of the same coordinates, with the holes that lie in it; all its edges are new
+  Edit rest;          ///< takes the piece away from the polygon
+  Polygon piece;      ///< of the same coordinates, with the holes that lie in it; all its edges are new
+  double length = 0;  ///< of the way through the inside, grid steps
 };
 
 /// Cuts a polygon along the segment from a to b, which begins and ends outside it and passes once through

@@ -99,7 +99,7 @@ std::optional<geometry::Cut> cut_near(Complex& complex, const geometry::Polygon&
     const Point2 by = shift * complex.setting().gap * across;
     auto cut = geometry::cut_off(perimeter, geometry::round_to_grid(pinch.from + by),
                                  geometry::round_to_grid(pinch.to + by), complex.edge_ids());
-    if (cut) return cut;
+    if (cut && cut->length < kPinchWidth * complex.setting().gap) return cut;
   }
   return std::nullopt;
 }
@@ -108,7 +108,7 @@ std::optional<geometry::Cut> cut_near(Complex& complex, const geometry::Polygon&
 const Segment* cut_at(Complex& complex, const Segment& s, const Pinch& pinch) {
   const PolygonPart& part = *s.polygon;
   auto cut = cut_near(complex, part.perimeter, pinch);
-  if (!cut) return nullptr;
+  if (!cut || cut->piece.area() < kLeastPart * complex.setting().gap * complex.setting().gap) return nullptr;
   cut->piece.take_removed();
   geometry::Polygon rest = part.perimeter;
   geometry::EdgeIds unused = complex.edge_ids();
@@ -133,10 +133,10 @@ bool cut_at_pinches(Complex& complex, Agenda& agenda) {
   for (std::size_t i = 0; i < turn.size() && !agenda.stopped(); ++i) {
     const Segment& s = complex.at(turn[i].second);
     for (const Pinch& pinch : pinches_of(complex, s)) {
-      agenda.note_parting(pinch.at);
       const Segment* piece = cut_at(complex, s, pinch);
       if (!piece) continue;
       any = true;
+      agenda.note_parting(pinch.at);
       turn.emplace_back(s.id, s.slot);  // each part may have another
       turn.emplace_back(piece->id, piece->slot);
       break;

@@ -81,8 +81,13 @@ inline constexpr double kSameWay = 0.5;
 /// In λ: how far from the lines of two others' planes a polygon is asked whether it is there. A merger of two
 /// parts closes what is nearer than half of this.
 inline constexpr double kPinchDepth = 0.75;
+/// In λ: what is wider there is no bridge between two parts that came near each other. Two corners of 90°
+/// make one of λ, of 60° one of 1.7.
+inline constexpr double kPinchWidth = 1.75;
 /// Least sine of half the angle between the two lines.
 inline constexpr double kLeastPinchSine = 0.25;
+/// In λ²: the smallest part that is taken for a face.
+inline constexpr double kLeastPart = 2;
 /// Fewest readings that a part may stand for.
 inline constexpr std::int64_t kFewestShared = 5;
 
