@@ -61,35 +61,67 @@ Box3 common_box(const Setting& setting, const PolygonPart& a, const PolygonPart&
   return {a.box.min().cwiseMax(b.box.min()) - reach, a.box.max().cwiseMin(b.box.max()) + reach};
 }
 
-/// The pinches of a polygon, by the identities of the two that cross it; one of several at the same place.
-std::vector<Pinch> pinches_of(const Complex& complex, const Segment& s) {
-  std::vector<Pinch> found;
-  const Setting& setting = complex.setting();
-  const PolygonPart& part = *s.polygon;
-  for (const auto& [first_id, first_slot] : polygons_near(complex, DirtyRegion(part.box), s.slot)) {
-    const PolygonPart& first = *complex.at(first_slot).polygon;
-    const auto crossing = line_between(setting, part, first);
-    if (!crossing) continue;
-    const DirtyRegion where(common_box(setting, part, first));
-    for (const auto& [second_id, second_slot] : polygons_near(complex, where, s.slot)) {
-      if (!(first_id < second_id)) continue;
-      const PolygonPart& second = *complex.at(second_slot).polygon;
-      const auto at = common_point(crossing->line, second.plane());
-      const auto line = common_line(part.plane(), second.plane(), part.box.center());
-      if (!at || !line || !common_box(setting, part, second).contains(*at)) continue;
-      const auto pinch =
-          pinch_at(setting, part, *at, seen_along(part.chart, crossing->line), seen_along(part.chart, *line));
-      if (!pinch || !lies_near(setting, part, *at) || !lies_near(setting, first, *at) ||
-          !lies_near(setting, second, *at))
-        continue;
-      const bool known = std::any_of(found.begin(), found.end(), [&](const Pinch& other) {
-        return (other.at - *at).squaredNorm() < setting.lambda2;
-      });
-      if (!known) found.push_back(*pinch);
+/// Looks for the places where a polygon touches itself in a vertex.
+class PinchSearch {
+ public:
+  PinchSearch(const Complex& complex, const Segment& s)
+      : complex_(complex), setting_(complex.setting()), s_(s), part_(*s.polygon) {}
+
+  /// By the identities of the two that cross the polygon; one of several at the same place.
+  std::vector<Pinch> all() {
+    for (const auto& [first_id, first_slot] : polygons_near(complex_, DirtyRegion(part_.box), s_.slot)) {
+      const PolygonPart& first = *complex_.at(first_slot).polygon;
+      const auto line = line_between(setting_, part_, first);
+      if (!line) continue;
+      const DirtyRegion where(common_box(setting_, part_, first));
+      for (const auto& [second_id, second_slot] : polygons_near(complex_, where, s_.slot))
+        if (first_id < second_id) look_at(first, line->line, *complex_.at(second_slot).polygon);
     }
+    return std::move(found_);
   }
-  return found;
-}
+
+ private:
+  void look_at(const PolygonPart& first, const CommonLine& line, const PolygonPart& second) {
+    const auto at = common_point(line, second.plane());
+    if (!at || !common_box(setting_, part_, second).contains(*at) || is_known(*at)) return;
+    const auto other_line = common_line(part_.plane(), second.plane(), *at);
+    if (!other_line) return;
+    const auto pinch =
+        pinch_at(setting_, part_, *at, seen_along(part_.chart, line), seen_along(part_.chart, *other_line));
+    if (pinch && lies_near(setting_, part_, *at) && lies_near(setting_, first, *at) &&
+        lies_near(setting_, second, *at) && ends_on_both_sides(*at, line) &&
+        ends_on_both_sides(*at, *other_line))
+      found_.push_back(*pinch);
+  }
+
+  bool is_known(const Eigen::Vector3d& at) const {
+    return std::any_of(found_.begin(), found_.end(),
+                       [&](const Pinch& pinch) { return (pinch.at - at).squaredNorm() < setting_.lambda2; });
+  }
+
+  /// Are there others in a plane through the line, on both sides of the place? Where the polygon turns round
+  /// the corner of a single other one, they are on one.
+  bool ends_on_both_sides(const Eigen::Vector3d& at, const CommonLine& line) const {
+    return ends_at(at, at + kPinchArm * setting_.lambda * line.along) &&
+           ends_at(at, at - kPinchArm * setting_.lambda * line.along);
+  }
+  bool ends_at(const Eigen::Vector3d& at, const Eigen::Vector3d& beside) const {
+    const Turn near = polygons_near(complex_, DirtyRegion(Box3(beside)), s_.slot);
+    return std::any_of(near.begin(), near.end(), [&](const auto& one) {
+      const PolygonPart& other = *complex_.at(one.second).polygon;
+      const geometry::Plane plane = other.plane();
+      return sine_between(plane, part_.plane()) > setting_.sin_angle &&
+             std::abs(plane.height_of(at)) < setting_.lambda / 4 &&
+             std::abs(plane.height_of(beside)) < setting_.lambda / 4 && lies_near(setting_, other, beside);
+    });
+  }
+
+  const Complex& complex_;
+  const Setting& setting_;
+  const Segment& s_;
+  const PolygonPart& part_;
+  std::vector<Pinch> found_;
+};
 
 /// A cut through the pinch; beside it, where that would meet a vertex, or a hole, or be rounded too much.
 std::optional<geometry::Cut> cut_near(Complex& complex, const geometry::Polygon& perimeter,
@@ -132,7 +164,7 @@ bool cut_at_pinches(Complex& complex, Agenda& agenda) {
   bool any = false;
   for (std::size_t i = 0; i < turn.size() && !agenda.stopped(); ++i) {
     const Segment& s = complex.at(turn[i].second);
-    for (const Pinch& pinch : pinches_of(complex, s)) {
+    for (const Pinch& pinch : PinchSearch(complex, s).all()) {
       const Segment* piece = cut_at(complex, s, pinch);
       if (!piece) continue;
       any = true;

@@ -81,6 +81,8 @@ inline constexpr double kSameWay = 0.5;
 /// In λ: how far from the lines of two others' planes a polygon is asked whether it is there. A merger of two
 /// parts closes what is nearer than half of this.
 inline constexpr double kPinchDepth = 0.75;
+/// In λ: how far along the lines the others are asked for.
+inline constexpr double kPinchArm = 1.5;
 /// In λ: what is wider there is no bridge between two parts that came near each other. Two corners of 90°
 /// make one of λ, of 60° one of 1.7.
 inline constexpr double kPinchWidth = 1.75;

@@ -104,5 +104,21 @@ TEST(Pinches, ANeckThatNothingPassesIsNone) {
   EXPECT_EQ(model.record().polygon_segments.size(), 1u);
 }
 
+/// The top of a box round a smaller one on it, hardly wider than λ: chance leaves its corners out, and what
+/// is left of it lies in two quadrants at a corner of the smaller box, whose walls go on to one side only.
+TEST(Pinches, ARingRoundABoxIsNone) {
+  simulation::BoxWorld world;
+  world.add({0, 0, 0}, {1.5, 1.5, 0.75});
+  world.add({0.25, 0.25, 0.75}, {1.25, 1.25, 1.5});
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    JudgedScan scan = sampled_scan(world.surface(), 0.22, 0.005, seed);
+    const auto polygons = [&](const char* rules) {
+      scan.parameters.rules = Rules::parse(rules);
+      return modelled(scan.parameters, scan.points).record().polygon_segments.size();
+    };
+    EXPECT_EQ(polygons("limpet"), polygons("-pinches")) << "seed " << seed;
+  }
+}
+
 }  // namespace
 }  // namespace limpet::model
