@@ -2,6 +2,8 @@
 #include <limpet/app/toml_section_internal.hpp>
 
 #define TOML_HEADER_ONLY 1
+// Damaged text breaks assertions of its key parser, after which it comes to an error that says what is wrong.
+#define TOML_ASSERT(expr) static_assert(true)
 #include <toml++/toml.h>
 
 #include <algorithm>
