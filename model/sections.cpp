@@ -96,6 +96,8 @@ bool gives_way(const Complex& complex, const Side& side, const Section& section)
   const Setting& setting = complex.setting();
   const double lambda = setting.lambda, near = lambda / 4;
   const bool all_felt = side.segment->polygon->all_felt();
+  // However empty it may be by chance, nothing reaches out to a line farther than it then lies on it.
+  const double deepest = std::max(lambda, section.end.place - section.begin.place);
   // The bay or spur that the walk along the section is in, its signed area (> 0: a bay) and extreme offsets.
   Addition bay = side.frame();
   bay.limits.push_back({{0, 0}, {0, 1}});
@@ -111,7 +113,7 @@ bool gives_way(const Complex& complex, const Side& side, const Section& section)
     bay.limits.push_back({{last.place, 0}, {-1, 0}});
     const double steps2 = area / (setting.step * setting.step);
     const bool bay_goes = highest <= 0 || (highest < lambda && all_felt) ||
-                          chance_explains(complex, *side.segment, bay),
+                          (highest < deepest && chance_explains(complex, *side.segment, bay)),
                spur_goes = lowest > -lambda || is_spur(setting, -steps2, -lowest / setting.step);
     area = highest = lowest = 0;
     begin_at(last);
