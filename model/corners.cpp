@@ -12,10 +12,9 @@ namespace {
 
 using geometry::EdgeId;
 
-/// Forms the corner, unless it is refused or there already. Returns whether it was formed.
-bool form_corner(Complex& complex, Ring& ring, const SharingReach& reach) {
-  CornerEdits corner = edits_for(complex, ring, reach);
-  if (corner.refusal != Refusal::none || corner.formed_already) return false;
+/// Forms the corner, unless it is there already. Precondition: nothing refuses it.
+bool form(Complex& complex, const Ring& ring, CornerEdits&& corner) {
+  if (corner.formed_already) return false;
   const auto& parts = ring.parts;
   Transaction transaction;
   std::vector<EdgeId> edges;
@@ -28,6 +27,32 @@ bool form_corner(Complex& complex, Ring& ring, const SharingReach& reach) {
   return true;
 }
 
+/// Where four planes meet in one place, two opposite ones may share an edge that is shorter than what their
+/// corners can keep. It is given up for a corner of all four. Returns whether that was formed.
+bool form_without_short(Complex& complex, const Ring& ring, const SharingReach& reach) {
+  const double shortest = kShortCorner * complex.setting().gap;
+  for (const RingPart& part : ring.parts) {
+    const auto& perimeter = part.segment->polygon->perimeter;
+    const geometry::Slot before = perimeter.prev(part.before);
+    const double length2 = squared_length(perimeter.end(part.before) - perimeter.at(part.before));
+    if (length2 > shortest * shortest || !perimeter.node(before).shared) continue;
+    complex.unshare(perimeter.node(part.before).edge);
+    if (!perimeter.node(before).shared) return false;
+    Ring whole = ring_from(complex, *part.segment, before);
+    CornerEdits corner = edits_for(complex, whole, reach);
+    return corner.refusal == Refusal::none && form(complex, whole, std::move(corner));
+  }
+  return false;
+}
+
+/// Forms the corner, unless it is refused or there already. Returns whether it was formed.
+bool form_corner(Complex& complex, const Agenda& agenda, Ring& ring) {
+  CornerEdits corner = edits_for(complex, ring, agenda.sharing);
+  if (corner.refusal == Refusal::none) return form(complex, ring, std::move(corner));
+  return corner.refusal == Refusal::corner_turns && agenda.finishing &&
+         form_without_short(complex, ring, agenda.sharing);
+}
+
 bool form_corners(Complex& complex, Agenda& agenda, const Segment& s) {
   bool any = false;
   const std::vector<EdgeId> edges = std::exchange(agenda.polygon(s.slot).corners_due, {});
@@ -35,7 +60,7 @@ bool form_corners(Complex& complex, Agenda& agenda, const Segment& s) {
     const EdgePlace* place = complex.edges().find(edge);
     if (!place || !place->partner || place->segment != s.slot) continue;
     Ring ring = ring_from(complex, s, place->slot);
-    any |= form_corner(complex, ring, agenda.sharing);
+    any |= form_corner(complex, agenda, ring);
   }
   return any;
 }

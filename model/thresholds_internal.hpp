@@ -64,6 +64,8 @@ inline constexpr double kLeastSine = 0.02;
 inline constexpr double kRunsOnSine = 0.199, kRunsOnReach = 0.24;
 /// Part of the largest of the sums of squares of planes below which they do not determine a point.
 inline constexpr double kDetermined = 0.01;
+/// In λ: a shared edge up to this long gives way when a corner at one of its ends would turn it round.
+inline constexpr double kShortCorner = 0.125;
 /// In grid steps: a cut of the perimeter within this distance of a vertex is made at the vertex itself.
 inline constexpr double kSameSteps = 3;
 /// In λ: how far sections may be from their line while readings come, and at the end of input (rule `voids`);
