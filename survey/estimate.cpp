@@ -31,6 +31,8 @@ constexpr std::size_t kCentres = 1000;
 constexpr int kNeighbours = 16;
 constexpr double kFlat = 0.15;  ///< thickness over radius below which a neighbourhood is a surface
 
+constexpr std::int64_t kRoundedShare = 50;  ///< depths are rounded if one neighbourhood in so many shows it
+
 Point to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
 /// All points of a sample, or of the scan, that lie within a radius of a centre.
@@ -43,7 +45,7 @@ struct Neighbourhood {
 /// What a neighbourhood says when it is flat.
 struct Patch {
   double area_per_point = 0;
-  std::optional<double> noise;
+  DepthNoise noise;
   double range = 0;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double thickness = 0;
@@ -194,13 +196,19 @@ std::vector<Patch> look_at(const Sampled& sample, const std::vector<std::size_t>
 Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches) {
   std::vector<double> areas, ranges;
   std::vector<NoiseAt> noises;
+  // A wall of one depth is exact, unless depths are rounded elsewhere, too.
+  const auto rounded = std::count_if(patches.begin(), patches.end(), [](const Patch& patch) {
+    return patch.area_per_point > 0 && patch.noise.kind == DepthNoise::Kind::few_depths;
+  });
+  const bool single_says_nothing = kRoundedShare * rounded >= static_cast<std::int64_t>(patches.size());
   // The scatter of exact readings is the rounding of their coordinates, which is no noise.
   double largest = 0;
   for (const auto& p : sample.points) largest = std::max(largest, p.position.cwiseAbs().maxCoeff());
   for (const Patch& patch : patches) {
     if (!(patch.area_per_point > 0)) continue;
     areas.push_back(patch.area_per_point);
-    if (patch.noise) noises.push_back({patch.range, *patch.noise < 1e-12 * largest ? 0 : *patch.noise});
+    if (patch.noise.kind == DepthNoise::Kind::single_depth && single_says_nothing) continue;
+    noises.push_back({patch.range, patch.noise.noise < 1e-12 * largest ? 0 : patch.noise.noise});
   }
   for (const auto& p : sample.points) ranges.push_back(p.range);
   areas = trimmed(std::move(areas));

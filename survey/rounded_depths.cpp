@@ -13,11 +13,14 @@ constexpr double kSameAxis = 1e-4;
 /// Cosine between sensing axis and depths; no camera sees farther to the side, and the coordinate that is
 /// nearest to an axis is never farther off.
 constexpr double kLeastSlant = 0.5;
+/// So many readings at one depth are no chance.
+constexpr std::size_t kSharing = 3;
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.cross(b).norm(); }
 
 struct Steps {
   std::size_t distinct = 1;                                ///< depths
+  std::size_t shared = 0;                                  ///< of these, those of kSharing readings or more
   double least = std::numeric_limits<double>::infinity();  ///< between two of them
 };
 
@@ -26,9 +29,14 @@ Steps steps_along(const Eigen::Vector3d& axis, const std::vector<model::SensorPo
   for (const auto& p : points) depths.push_back(axis.dot(p.position));
   std::sort(depths.begin(), depths.end());
   Steps found;
-  for (std::size_t i = 1; i < depths.size(); ++i) {
-    const double step = depths[i] - depths[i - 1];
+  std::size_t first = 0;  // of the readings of this depth
+  for (std::size_t i = 1; i <= depths.size(); ++i) {
+    const double step =
+        i < depths.size() ? depths[i] - depths[i - 1] : std::numeric_limits<double>::infinity();
     if (step <= within) continue;
+    found.shared += i - first >= kSharing;
+    first = i;
+    if (i == depths.size()) break;
     ++found.distinct;
     found.least = std::min(found.least, step);
   }
@@ -58,17 +66,21 @@ std::optional<RoundedDepths> rounded_depths(const std::vector<Eigen::Vector3d>& 
   return RoundedDepths{common, within};
 }
 
-std::optional<double> noise_of(const std::vector<model::SensorPoint>& points, const Eigen::Vector3d& axis,
-                               double apparent, const RoundedDepths& rounded) {
+DepthNoise noise_of(const std::vector<model::SensorPoint>& points, const Eigen::Vector3d& axis,
+                    double apparent, const RoundedDepths& rounded) {
+  using Kind = DepthNoise::Kind;
   Eigen::Index depth = 0;  // the coordinate that looks along the axis, as in the sensor's own frame
   axis.cwiseAbs().maxCoeff(&depth);
   const Eigen::Vector3d along = rounded.axis.isZero() ? Eigen::Vector3d::Unit(depth) : rounded.axis;
   const double slant = std::abs(axis.dot(along));
-  if (slant < kLeastSlant) return apparent;  // rows of readings across the view are no steps of depth
+  if (slant < kLeastSlant)  // rows of readings across the view are no steps of depth
+    return {Kind::scatter, apparent};
   const Steps steps = steps_along(along, points, rounded.within);
-  if (3 * steps.distinct > points.size()) return apparent;
-  if (steps.distinct == 1) return std::nullopt;
-  return std::max(apparent, steps.least / slant / std::sqrt(12.0));
+  if (3 * steps.distinct > points.size()) return {Kind::scatter, apparent};
+  if (steps.distinct == 1) return {Kind::single_depth, apparent};
+  // A face of one depth, and some readings of the next one, are no rounding.
+  if (steps.shared < 2) return {Kind::scatter, apparent};
+  return {Kind::few_depths, std::max(apparent, steps.least / slant / std::sqrt(12.0))};
 }
 
 }  // namespace limpet::survey

@@ -26,10 +26,21 @@ struct RoundedDepths {
 std::optional<RoundedDepths> rounded_depths(const std::vector<Eigen::Vector3d>& normals, std::size_t count,
                                             double within);
 
+/// What the depths of a neighbourhood say of its noise.
+struct DepthNoise {
+  enum class Kind {
+    scatter,      ///< depths of all kinds: its thickness is its noise
+    few_depths,   ///< its readings share few depths, at least two of which several have
+    single_depth  ///< all have the same
+  } kind = Kind::scatter;
+  double noise = 0;  ///< standard deviation along the sensing axis, scan's unit
+};
+
 /// The standard deviation of a neighbourhood's readings along their sensing axis (unit length), which its
-/// thickness along it, `apparent`, understates where depths are rounded: at least step/√12. None where the
-/// neighbourhood shows a single step. Precondition: there is a point.
-std::optional<double> noise_of(const std::vector<model::SensorPoint>& points, const Eigen::Vector3d& axis,
-                               double apparent, const RoundedDepths& rounded);
+/// thickness along it, `apparent`, understates where depths are rounded: at least step/√12. Where the
+/// neighbourhood shows a single depth this is `apparent`, and says nothing if the scan's depths are rounded.
+/// Precondition: there is a point.
+DepthNoise noise_of(const std::vector<model::SensorPoint>& points, const Eigen::Vector3d& axis,
+                    double apparent, const RoundedDepths& rounded);
 
 }  // namespace limpet::survey

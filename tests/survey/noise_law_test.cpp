@@ -102,5 +102,28 @@ TEST(NoiseOfScans, IsNotNothingWhereDepthsAreRounded) {
   }
 }
 
+/// The faces of a cube of 20, exact, along the axes or turned. Along them every face has one depth, which is
+/// no rounding.
+TEST(NoiseOfScans, ExactOnesHaveNoneInAnyPosition) {
+  for (const double turn : {0.0, 0.4})
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE("turned by " + std::to_string(turn) + ", seed " + std::to_string(seed));
+      const Eigen::AngleAxisd turned(turn, Eigen::Vector3d(1, 2, 3).normalized());
+      Random random(seed);
+      std::vector<model::SensorPoint> points;
+      for (int i = 0; i < 10'000; ++i) {
+        Eigen::Vector3d p(random.uniform(0, 20), random.uniform(0, 20), random.uniform(0, 20)),
+            inwards = Eigen::Vector3d::Zero();
+        const auto axis = static_cast<Eigen::Index>(random.below(3));
+        const bool far = random.below(2) == 1;
+        p[axis] = far ? 20 : 0, inwards[axis] = far ? -1 : 1;
+        points.push_back({turned * p, turned * inwards});
+      }
+      const Estimate found = estimate_of(points);
+      EXPECT_EQ(found.noise.fixed, 0);
+      EXPECT_FALSE(found.noise.varies());
+    }
+}
+
 }  // namespace
 }  // namespace limpet::survey
