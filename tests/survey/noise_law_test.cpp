@@ -3,6 +3,7 @@
 // How noise goes with range, as the scan tells it.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limpet/simulation/scan.hpp>
 #include <limpet/simulation/scene.hpp>
