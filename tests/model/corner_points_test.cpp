@@ -70,7 +70,7 @@ TEST(CornerOfManyFaces, NothingReachesOutAndNothingIsLeftBetween) {
        {Found{"cells:12:22", 30'000, 0.004}, Found{"cells:12:119", 100'000, 0},
         Found{"cells:12:108", 100'000, 0}}) {
     SCOPED_TRACE(shape);
-    simulation::Mesh mesh = simulation::make_shape(shape);
+    simulation::Mesh mesh = simulation::make_scene(shape).mesh;
     double area = 0;
     for (const auto& face : simulation::faces_of(mesh)) area += face.area;
     simulation::ScanOptions options;
