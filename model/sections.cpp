@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <limpet/geometry/predicates.hpp>
 
@@ -96,8 +97,12 @@ bool gives_way(const Complex& complex, const Side& side, const Section& section)
   const Setting& setting = complex.setting();
   const double lambda = setting.lambda, near = lambda / 4;
   const bool all_felt = side.segment->polygon->all_felt();
-  // However empty it may be by chance, nothing reaches out to a line farther than it then lies on it.
-  const double deepest = std::max(lambda, section.end.place - section.begin.place);
+  // However empty it may be by chance, nothing reaches out to a line much farther than it then lies on it,
+  // unless it lies there on both sides already.
+  const double length = section.end.place - section.begin.place;
+  const double deepest = section.begin_anchored && section.end_anchored
+                             ? std::numeric_limits<double>::max()
+                             : std::max(kDeepBay * lambda, kDeepestBay * length);
   // The bay or spur that the walk along the section is in, its signed area (> 0: a bay) and extreme offsets.
   Addition bay = side.frame();
   bay.limits.push_back({{0, 0}, {0, 1}});

@@ -72,6 +72,9 @@ inline constexpr double kSameSteps = 3;
 /// and the shortest edge that makes two segments neighbours, while readings come and in the last rounds.
 inline constexpr double kSectionReach = 1, kLastSectionReach = 5, kLeastNeighbours = 2,
                         kLastLeastNeighbours = 0.25;
+/// In λ, and in lengths of the edge: how deep a bay may be that a shared edge closes, if one of the two
+/// allows it.
+inline constexpr double kDeepBay = 2, kDeepestBay = 3;
 /// In λ: how far beyond a changed place sections may reach when it is looked at.
 inline constexpr double kSectionReachOn = 2;
 /// Cosine of the largest angle, 60°, between the normals of two segments one of which may lie on the other
