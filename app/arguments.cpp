@@ -102,8 +102,9 @@ std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::strin
     const bool good = io::parse_integer(part.substr(0, dots), first) &&
                       io::parse_integer(dots == part.npos ? part : part.substr(dots + 2), last);
     if (!good || last < first) {
-      std::string complaint = option + " '" + text;
-      complaint.append("': give whole numbers or ranges, as in ").append(option).append(" 0..9,255");
+      std::string complaint = option;
+      complaint.append(" '").append(text).append("': give whole numbers or ranges, as in ");
+      complaint.append(option).append(" 0..9,255");
       throw UsageError(complaint);
     }
     ranges.emplace_back(first, last);

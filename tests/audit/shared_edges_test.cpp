@@ -63,7 +63,7 @@ Document on_two_floors(std::int64_t up, double corner) {
 TEST(SharedEdges, WhereLinesRunOnTheCornerNeedNotBeOnThem) {
   const auto quarter = static_cast<std::int64_t>(empty_document().resolution / empty_document().step / 4);
   EXPECT_EQ(broken(on_two_floors(0, 0)), kNothing);
-  EXPECT_EQ(broken(on_two_floors(quarter, static_cast<double>(quarter / 2))), kNothing);
+  EXPECT_EQ(broken(on_two_floors(quarter, 0.5 * static_cast<double>(quarter))), kNothing);
   EXPECT_EQ(broken(on_two_floors(quarter, static_cast<double>(quarter))), kNothing);
   EXPECT_EQ(broken(on_two_floors(quarter + 1, static_cast<double>(quarter + 1))), Names{"shared-line"});
   EXPECT_EQ(broken(on_two_floors(quarter + 1, 0)), Names{"shared-line"});
