@@ -64,7 +64,7 @@ std::optional<Eigen::Vector3d> place_by_ring(const Complex& complex, const Ring&
   for (const RingPart& other : ring.parts) planes.push_back(other.segment->polygon->plane());
   if (!ring.closed) planes.insert(planes.end(), {first, second});
   const Eigen::Vector3d point = point_of(planes, near);
-  const Eigen::Vector3d foot = point - own.height_of(point) * own.normal;
+  Eigen::Vector3d foot = point - own.height_of(point) * own.normal;
   const double reach = kRunsOnReach * complex.setting().lambda;
   if (std::abs(first.height_of(foot)) > reach || std::abs(second.height_of(foot)) > reach)
     return std::nullopt;

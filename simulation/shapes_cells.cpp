@@ -47,7 +47,9 @@ class Lattice {
     return std::all_of(c.begin(), c.end(), [&](int x) { return x >= 0 && x < side_; });
   }
   std::size_t index(const Cell& c) const {
-    return static_cast<std::size_t>((c[2] * side_ + c[1]) * side_ + c[0]);
+    const auto side = static_cast<std::size_t>(side_);
+    return (static_cast<std::size_t>(c[2]) * side + static_cast<std::size_t>(c[1])) * side +
+           static_cast<std::size_t>(c[0]);
   }
 
   /// Around a vertex the surface is one sheet if the solid ones of the eight cells are connected by faces,
