@@ -37,6 +37,7 @@ struct PolygonDue {
   std::vector<geometry::EdgeId> corners_due;  ///< shared edges that step 5 has not looked at yet
   std::int64_t next_share = 0;                ///< number of its points at which step 4 looks at it again
   bool shared_later = false;                  ///< it waits in Agenda::share_later
+  std::uint64_t no_pinch = 0;  ///< PolygonPart::shape that was last looked at for pinches, in vain
 };
 
 /// All worklists of the update procedure (thesis §2.3): what is to be looked at next, and why. Lists name

@@ -160,10 +160,13 @@ const Segment* cut_at(Complex& complex, const Segment& s, const Pinch& pinch) {
 
 bool cut_at_pinches(Complex& complex, Agenda& agenda) {
   if (!complex.rules().pinches) return false;
-  Turn turn = polygons_of(complex, agenda.modified(), [](const Segment& s) { return s.mature_polygon(); });
+  Turn turn = polygons_of(complex, agenda.modified(), [&](const Segment& s) {
+    return s.mature_polygon() && agenda.polygon(s.slot).no_pinch != s.polygon->shape;
+  });
   bool any = false;
   for (std::size_t i = 0; i < turn.size() && !agenda.stopped(); ++i) {
     const Segment& s = complex.at(turn[i].second);
+    agenda.polygon(s.slot).no_pinch = s.polygon->shape;
     for (const Pinch& pinch : PinchSearch(complex, s).all()) {
       const Segment* piece = cut_at(complex, s, pinch);
       if (!piece) continue;

@@ -115,6 +115,7 @@ void mark_all(Engine& e) {
     due.changed.add(part.box);
     due.unshared = e.setting.parameters.neighbours ? DirtyRegion(part.box) : DirtyRegion();
     due.corners_due = part.shared;
+    due.no_pinch = 0;
     due.fresh.clear();
     for_each_edge(part.perimeter,
                   [&](geometry::Slot slot) { due.fresh.emplace_back(slot, part.perimeter.node(slot).edge); });
