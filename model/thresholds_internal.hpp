@@ -73,8 +73,8 @@ inline constexpr double kSameSteps = 3;
 inline constexpr double kSectionReach = 1, kLastSectionReach = 5, kLeastNeighbours = 2,
                         kLastLeastNeighbours = 0.25;
 /// In λ, and in lengths of the edge: how deep a bay may be that a shared edge closes, if one of the two
-/// allows it.
-inline constexpr double kDeepBay = 2, kDeepestBay = 3;
+/// allows it. Chance reaches 2.3 λ into a corner.
+inline constexpr double kDeepBay = 2.3, kDeepestBay = 3;
 /// In λ: how far beyond a changed place sections may reach when it is looked at.
 inline constexpr double kSectionReachOn = 2;
 /// Cosine of the largest angle, 60°, between the normals of two segments one of which may lie on the other
@@ -96,7 +96,7 @@ inline constexpr double kLeastPinchSine = 0.25;
 /// In λ²: the smallest part that is taken for a face.
 inline constexpr double kLeastPart = 2;
 /// Fewest readings that a part may stand for.
-inline constexpr std::int64_t kFewestShared = 5;
+inline constexpr std::int64_t kFewestOfPart = 5;
 
 // What finishing may add (rule `voids`, chance.cpp).
 

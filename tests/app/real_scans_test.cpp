@@ -107,15 +107,15 @@ TEST_F(RealScans, RoundedDepths) {
   EXPECT_GT(100 * largest, 30 * model_.points);  // the wall
 }
 
-/// What a model says was felt was felt (docs/evidence.md). In each of two scans one polygon covers a place
-/// where more readings are missing than chance explains.
 struct JudgedScan {
-  const char* name;  ///< in the folder of data
-  int beyond_bounds = 0;
+  const char* name;       ///< in the folder of data
+  int beyond_bounds = 0;  ///< polygons
 };
 
 class RealScan : public ProgramTest, public ::testing::WithParamInterface<JudgedScan> {};
 
+/// What a model says was felt was felt (docs/evidence.md). In each of two scans one polygon covers a place
+/// where more readings are missing than chance explains.
 TEST_P(RealScan, IsWhatSupportsItsModel) {
   const auto& [name, beyond_bounds] = GetParam();
   const std::string scan = data(name);
@@ -128,7 +128,7 @@ TEST_P(RealScan, IsWhatSupportsItsModel) {
   EXPECT_EQ(std::count_if(polygons.begin(), polygons.end(),
                           [](const auto& p) { return p["unsupported"] || p["transparent"]; }),
             beyond_bounds);
-  EXPECT_GT(evidence["explained_share"], 0.65);
+  EXPECT_GT(evidence["explained_share"], 0.7);
 }
 
 INSTANTIATE_TEST_SUITE_P(
