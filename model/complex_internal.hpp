@@ -28,8 +28,8 @@ struct BoundaryDifference {
   void clear() { removed.clear(), appeared.clear(), moved.clear(), put.clear(); }
 };
 
-struct Share;
-struct Shares;
+struct Portion;
+struct Portions;
 
 /// Edits of several perimeters, all of which are made, or none.
 struct Transaction {
@@ -125,7 +125,7 @@ class Complex {
   /// Takes `part` away from a mature polygon, by the edit `rest`, which is judged valid, and gives it, with
   /// new edges, to a new segment. Returns that (complex_split.cpp).
   const Segment& split(const Segment&, const geometry::Edit& rest, std::unique_ptr<PolygonPart> part,
-                       const Shares&);
+                       const Portions&);
   /// Calls `operation(perimeter, edge identities)`, which changes the perimeter or leaves it as it was,
   /// records what it did, and all that follows: `where(difference)` (world) is where the description has
   /// changed. `looked_at`: the edges it puts in place need not be searched for fissures. Returns what it
@@ -210,7 +210,7 @@ class Complex {
   void become_mature(Segment&);
   void absorb_data(Segment& into, const Segment& from, bool stays_young);
   std::vector<geometry::EdgeId> erase(Segment&);
-  void take_share(Segment&, const Share&);
+  void take_portion(Segment&, const Portion&);
   void make_open(geometry::EdgeId);
   void mark_shared(Segment&, geometry::Slot edge, bool shared);
   bool ends_meet(geometry::EdgeId) const;

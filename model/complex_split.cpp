@@ -1,25 +1,25 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // One polygon segment becomes two.
-#include "area_moments_internal.hpp"
 #include "complex_internal.hpp"
+#include "divided_data_internal.hpp"
 
 namespace limpet::model::internal {
 
-void Complex::take_share(Segment& s, const Share& share) {
-  s.data = share.data;
-  s.fit = share.fit;
+void Complex::take_portion(Segment& s, const Portion& portion) {
+  s.data = portion.data;
+  s.fit = portion.fit;
   s.next_fit = s.count() + 1;
-  s.polygon->heights = share.heights;
+  s.polygon->heights = portion.heights;
   s.polygon->box = perimeter_box(*s.polygon);
 }
 
 const Segment& Complex::split(const Segment& whole, const geometry::Edit& rest,
-                              std::unique_ptr<PolygonPart> part, const Shares& shares) {
+                              std::unique_ptr<PolygonPart> part, const Portions& portions) {
   Transaction transaction;
   transaction.edits.emplace_back(whole.slot, rest);
   commit_judged(transaction);
-  take_share(mutable_of(whole), shares.rest);
+  take_portion(mutable_of(whole), portions.rest);
   reindex(whole);
 
   Segment& s = segments_.create();
@@ -28,7 +28,7 @@ const Segment& Complex::split(const Segment& whole, const geometry::Edit& rest,
   if (whole.polygon->felt) s.polygon->felt = std::make_unique<Felt>(*whole.polygon->felt);
   agenda_.became_polygon(s.slot);
   BoundaryDifference difference = book_difference(s, false);
-  take_share(s, shares.piece);
+  take_portion(s, portions.piece);
   description_changed(s, s.polygon->box);
   changes_.add(Change::Kind::created, {}, {}, s.id);
   changes_.add(Change::Kind::became_polygon, {}, {}, s.id);

@@ -12,7 +12,7 @@
 #include <limpet/geometry/cut.hpp>
 #include <limpet/geometry/predicates.hpp>
 
-#include "area_moments_internal.hpp"
+#include "divided_data_internal.hpp"
 #include "line_chains_internal.hpp"
 #include "meeting_internal.hpp"
 
@@ -141,19 +141,18 @@ const Segment* cut_at(Complex& complex, const Segment& s, const Pinch& pinch) {
   const PolygonPart& part = *s.polygon;
   auto cut = cut_near(complex, part.perimeter, pinch);
   if (!cut || cut->piece.area() < kLeastPart * complex.setting().gap * complex.setting().gap) return nullptr;
-  cut->piece.take_removed();
   geometry::Polygon rest = part.perimeter;
   geometry::EdgeIds unused = complex.edge_ids();
   rest.commit(cut->rest, unused);
-  const auto shares = shared_out(complex.setting(), s, rest, cut->piece);
-  if (!shares) return nullptr;
+  const auto portions = divided(complex.setting(), s, rest, cut->piece);
+  if (!portions) return nullptr;
   auto piece = std::make_unique<PolygonPart>();
   piece->chart = part.chart;
   piece->published = part.published;
   piece->outward = part.outward;
   piece->initial = part.initial;
   piece->perimeter = std::move(cut->piece);
-  return &complex.split(s, cut->rest, std::move(piece), *shares);
+  return &complex.split(s, cut->rest, std::move(piece), *portions);
 }
 
 }  // namespace

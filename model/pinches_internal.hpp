@@ -8,7 +8,7 @@
 namespace limpet::model::internal {
 
 /// Cuts polygons in two that fill two opposite ones of the four quadrants into which two other polygons'
-/// planes divide theirs, near these, and not the other two. Their data is shared out by area. Returns whether
+/// planes divide theirs, near these, and not the other two. Their data is divided by area. Returns whether
 /// there were any. Until finish() ends, the parts do not merge again.
 bool cut_at_pinches(Complex&, Agenda&);
 

@@ -9,20 +9,20 @@
 namespace limpet::model::internal {
 
 /// What a polygon that is cut in two leaves each of its parts.
-struct Share {
+struct Portion {
   SegmentData data;
   Fit fit;
   HeightMap heights;
 };
-struct Shares {
-  Share rest, piece;
+struct Portions {
+  Portion rest, piece;
 };
 
-/// Shares the data of a mature polygon out between two parts of its perimeter, in its chart. Its readings are
+/// Divides the data of a mature polygon between two parts of its perimeter, in its chart. Its readings are
 /// gone: each part gets as many of them as its area asks for, spread evenly over it, as far from the plane of
 /// best fit as they are on the whole. The counts add up to the whole's. Nothing if a part would get fewer
-/// than kFewestShared.
-std::optional<Shares> shared_out(const Setting&, const Segment&, const geometry::Polygon& rest,
-                                 const geometry::Polygon& piece);
+/// than kFewestOfPart.
+std::optional<Portions> divided(const Setting&, const Segment&, const geometry::Polygon& rest,
+                                const geometry::Polygon& piece);
 
 }  // namespace limpet::model::internal

@@ -1,5 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include "area_moments_internal.hpp"
+#include "divided_data_internal.hpp"
 
 #include <algorithm>
 #include <array>
@@ -62,8 +62,8 @@ Moments moments_with(std::int64_t count, const Eigen::Vector3d& mean, const Eige
   return Moments(record);
 }
 
-Share share_of(const Setting& setting, const Segment& s, const geometry::Polygon& perimeter,
-               std::int64_t count) {
+Portion portion_of(const Setting& setting, const Segment& s, const geometry::Polygon& perimeter,
+                   std::int64_t count) {
   const PolygonPart& part = *s.polygon;
   const AreaMoments area = moments_of(perimeter);
   const auto on_plane = [&](Point2 p) {
@@ -85,25 +85,25 @@ Share share_of(const Setting& setting, const Segment& s, const geometry::Polygon
   SegmentData::Sums sums = s.data.sums();
   sums.moments = moments_with(count, mean / setting.step, covariance);
   sums.axis *= fraction, sums.variance *= fraction, sums.since *= fraction;
-  Share share{SegmentData(sums, s.data.last_joined()), {}, {}};
-  share.fit = fit_to(share.data.moments(), setting.step, share.data.axis_sum());
+  Portion portion{SegmentData(sums, s.data.last_joined()), {}, {}};
+  portion.fit = fit_to(portion.data.moments(), setting.step, portion.data.axis_sum());
   std::vector<std::pair<std::uint64_t, HeightMap::Sum>> squares = part.heights.keyed_squares();
   std::erase_if(squares, [&](const auto& square) {
     const Point2 at = geometry::round_to_grid(square.second.mean());
     return perimeter.locate(at) == geometry::Polygon::Side::outside;
   });
-  share.heights = HeightMap::of_squares(squares);
-  return share;
+  portion.heights = HeightMap::of_squares(squares);
+  return portion;
 }
 
 }  // namespace
 
-std::optional<Shares> shared_out(const Setting& setting, const Segment& s, const geometry::Polygon& rest,
-                                 const geometry::Polygon& piece) {
+std::optional<Portions> divided(const Setting& setting, const Segment& s, const geometry::Polygon& rest,
+                                const geometry::Polygon& piece) {
   const double fraction = piece.area() / (piece.area() + rest.area());
   const auto count = static_cast<std::int64_t>(std::floor(static_cast<double>(s.count()) * fraction + 0.5));
-  if (std::min(count, s.count() - count) < kFewestShared) return std::nullopt;
-  return Shares{share_of(setting, s, rest, s.count() - count), share_of(setting, s, piece, count)};
+  if (std::min(count, s.count() - count) < kFewestOfPart) return std::nullopt;
+  return Portions{portion_of(setting, s, rest, s.count() - count), portion_of(setting, s, piece, count)};
 }
 
 }  // namespace limpet::model::internal
