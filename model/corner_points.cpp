@@ -48,10 +48,6 @@ bool run_on(const geometry::Polygon& perimeter, Slot before, Slot after, const C
   return turn.dot(turn) < kRunsOnSine * kRunsOnSine;
 }
 
-Plane plane_across(const Complex& complex, EdgeId edge) {
-  return complex.at(complex.edges().across(edge).segment).polygon->plane();
-}
-
 /// The place on the part's plane that is nearest to all planes of the ring. A ring of three has no others.
 std::optional<Eigen::Vector3d> place_by_ring(const Complex& complex, const Ring& ring, const RingPart& part,
                                              const Eigen::Vector3d& near) {

@@ -20,13 +20,9 @@ const geometry::Polygon::Node& node_of(const RingPart& part, Slot s) {
   return part.segment->polygon->perimeter.node(s);
 }
 
-const Segment& segment_across(const Complex& complex, EdgeId edge) {
-  return complex.at(complex.edges().across(edge).segment);
-}
-
 CommonLine line_across(const Complex& complex, const Segment& s, EdgeId edge, const Eigen::Vector3d& near) {
   // There is a line: the planes were not parallel when the edge was formed or repositioned.
-  return common_line(s.polygon->plane(), segment_across(complex, edge).polygon->plane(), near).value();
+  return common_line(s.polygon->plane(), plane_across(complex, edge), near).value();
 }
 
 double squared_distance(const CommonLine& line, const Eigen::Vector3d& p) {

@@ -36,11 +36,16 @@ bool form_without_short(Complex& complex, const Ring& ring, const SharingReach& 
     const geometry::Slot before = perimeter.prev(part.before);
     const double length2 = squared_length(perimeter.end(part.before) - perimeter.at(part.before));
     if (length2 > shortest * shortest || !perimeter.node(before).shared) continue;
-    complex.unshare(perimeter.node(part.before).edge);
-    if (!perimeter.node(before).shared) return false;
-    Ring whole = ring_from(complex, *part.segment, before);
-    CornerEdits corner = edits_for(complex, whole, reach);
-    return corner.refusal == Refusal::none && form(complex, whole, std::move(corner));
+    const EdgeId edge = perimeter.node(part.before).edge, copy = complex.edges().at(edge).partner;
+    bool formed = false;
+    complex.with_ends_apart([&] {
+      complex.unshare(edge);
+      Ring whole = ring_from(complex, *part.segment, before);
+      CornerEdits corner = edits_for(complex, whole, reach);
+      formed = corner.refusal == Refusal::none && form(complex, whole, std::move(corner));
+      if (!formed) complex.share_open(edge, copy);
+    });
+    return formed;
   }
   return false;
 }

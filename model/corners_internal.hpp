@@ -28,6 +28,11 @@ struct Ring {
 /// not closed if it does not return to e₁ over distinct segments; then `parts` are those passed until there.
 Ring ring_from(const Complex&, const Segment& s, geometry::Slot first);
 
+/// The plane of the segment that has the edge's partner. Precondition: it has one.
+inline geometry::Plane plane_across(const Complex& complex, geometry::EdgeId edge) {
+  return complex.at(complex.edges().across(edge).segment).polygon->plane();
+}
+
 /// Where the corner is on a part of a ring: where the lines of e₁ and e₂ meet. Where these run on in one line
 /// or nearly so (kRunsOnSine), it is the place on the part's plane that is nearest to all planes of the ring;
 /// nothing if that is farther than kRunsOnReach from one of the two neighbours' planes.
