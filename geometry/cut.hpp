@@ -21,9 +21,8 @@ struct Cut {
 /// touches a vertex, or a part would not be valid.
 ///  (1) Both parts are valid, and on different sides of the segment where it passes through;
 ///  (2) their areas add up to the polygon's, up to the rounding of the two places;
-///  (3) every vertex of the polygon that the cut is not rounded to is a vertex of just one of them, and every
-///  hole
-///      but one that is cut is a hole of one.
+///  (3) every vertex of the polygon that the cut is not rounded to is a vertex of just one of them, every
+///      hole that is not cut a hole of one.
 std::optional<Cut> cut_off(const Polygon&, Point2 a, Point2 b, EdgeIds&);
 
 }  // namespace limpet::geometry

@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <limpet/survey/rounded_depths.hpp>
 
@@ -14,7 +15,7 @@ constexpr double kSameAxis = 1e-4;
 /// nearest to an axis is never farther off.
 constexpr double kLeastSlant = 0.5;
 /// So many readings at one depth are no chance.
-constexpr std::size_t kSharing = 3;
+constexpr std::ptrdiff_t kSharing = 3;
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.cross(b).norm(); }
 
@@ -29,16 +30,15 @@ Steps steps_along(const Eigen::Vector3d& axis, const std::vector<model::SensorPo
   for (const auto& p : points) depths.push_back(axis.dot(p.position));
   std::sort(depths.begin(), depths.end());
   Steps found;
-  std::size_t first = 0;  // of the readings of this depth
-  for (std::size_t i = 1; i <= depths.size(); ++i) {
-    const double step =
-        i < depths.size() ? depths[i] - depths[i - 1] : std::numeric_limits<double>::infinity();
-    if (step <= within) continue;
-    found.shared += i - first >= kSharing;
-    first = i;
-    if (i == depths.size()) break;
-    ++found.distinct;
-    found.least = std::min(found.least, step);
+  for (auto first = depths.begin(); first != depths.end();) {
+    auto last = first + 1;  // behind the readings of one depth
+    while (last != depths.end() && *last - *(last - 1) <= within) ++last;
+    found.shared += last - first >= kSharing;
+    if (last != depths.end()) {
+      ++found.distinct;
+      found.least = std::min(found.least, *last - *(last - 1));
+    }
+    first = last;
   }
   return found;
 }

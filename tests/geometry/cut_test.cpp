@@ -19,6 +19,12 @@ std::size_t times(const std::vector<Point2>& points, Point2 p) {
   return static_cast<std::size_t>(std::count(points.begin(), points.end(), p));
 }
 
+/// What the cut leaves of the polygon.
+Polygon rest_of(Polygon polygon, const Cut& cut, EdgeIds& ids) {
+  polygon.commit(cut.rest, ids);
+  return polygon;
+}
+
 TEST(CutLaws, TwoValidPartsThatAreTheWhole) {
   expect_law("cut_off (1) (2) (3)", Cases{3000, 0.05}, [] {
     EdgeIds ids;
@@ -32,8 +38,7 @@ TEST(CutLaws, TwoValidPartsThatAreTheWhole) {
     const auto cut = cut_off(whole_one, a, b, ids);
     RC_CLASSIFY(cut.has_value());
     if (!cut) return;
-    Polygon rest = whole_one;
-    rest.commit(cut->rest, ids);
+    const Polygon rest = rest_of(whole_one, *cut, ids);
     expect_valid(rest);
     expect_valid(cut->piece);
     const auto of_rest = points_of(rest.boundary()), of_piece = points_of(cut->piece.boundary());
@@ -66,8 +71,7 @@ TEST(Cut, ThroughANeck) {
   const Polygon both = two_squares(ids);
   const auto cut = cut_off(both, {120, 80}, {80, 120}, ids);
   ASSERT_TRUE(cut);
-  Polygon rest = both;
-  rest.commit(cut->rest, ids);
+  const Polygon rest = rest_of(both, *cut, ids);
   EXPECT_EQ(rest.area(), both.area() / 2);
   EXPECT_EQ(cut->piece.area(), both.area() / 2);
   EXPECT_EQ(rest.edge_count() + cut->piece.edge_count(), 14u);
@@ -92,8 +96,7 @@ TEST(Cut, AcrossTheMouthOfAHole) {
                            ids);
   const auto cut = cut_off(bay, {240, 55}, {240, 245}, ids);
   ASSERT_TRUE(cut);
-  Polygon rest = bay;
-  rest.commit(cut->rest, ids);
+  const Polygon rest = rest_of(bay, *cut, ids);
   EXPECT_EQ(cut->piece.area(), 180.0 * 180);
   EXPECT_EQ(rest.area(), bay.area() - 180.0 * 180);
   EXPECT_EQ(rest.hole_count(), 1u);

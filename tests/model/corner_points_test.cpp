@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Corners, CornerOfManyFaces,
 
 /// Twelve cells (seeds found in 150): a short edge far from its line, which drew out a tongue into the solid,
 /// and an edge shorter than its corners between two opposite faces of a saddle.
-TEST(CornerOfManyFaces, NothingReachesOutAndNothingIsLeftBetween) {
+TEST(Corners, NothingReachesOutAndNothingIsLeftBetween) {
   struct Found {
     const char* shape;
     std::int64_t points;
