@@ -79,7 +79,7 @@ bool take_away(Polygon& a, const std::vector<std::pair<Slot, EdgeId>>& tips, Edg
 Merger merge_as_they_are(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
   if (!a.box().grown(gap).meets(b.box())) return Merger::too_far;
   if (no_edge_in(a, b.box())) {
-    if (a.locate(b.at(b.cycles().front().first)) == Polygon::Side::inside) return Merger::contained;
+    if (a.locate(b.at(b.outer().first)) == Polygon::Side::inside) return Merger::contained;
   } else if (perimeters_meet(a, b) || any_vertex_inside(b, a) || any_vertex_inside(a, b)) {
     return unite(a, b, gap, ids) ? Merger::united : Merger::refused;
   }

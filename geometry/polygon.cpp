@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
 #include <limpet/geometry/polygon.hpp>
 
 #include <limpet/geometry/judge.hpp>
@@ -47,6 +48,10 @@ std::vector<NewVertex> Polygon::vertices(const Cycle& cycle) const {
   for (std::uint32_t i = 0; i < cycle.size; ++i, s = next(s))
     result.push_back({at(s), node(s).edge, node(s).shared});
   return result;
+}
+
+const Polygon::Cycle& Polygon::outer() const {
+  return *std::find_if(cycles_.begin(), cycles_.end(), [](const Cycle& c) { return c.size > 0 && !c.hole; });
 }
 
 std::vector<std::vector<NewVertex>> Polygon::boundary() const {

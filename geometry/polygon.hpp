@@ -98,6 +98,8 @@ class Polygon {
   std::size_t hole_count() const;
   const std::vector<Cycle>& cycles() const { return cycles_; }
   const Cycle& cycle(CycleId c) const { return cycles_[static_cast<std::uint32_t>(c)]; }
+  /// The outer perimeter; edits may have put it anywhere in cycles(). Precondition: the polygon is not empty.
+  const Cycle& outer() const;
   const Box2& box() const { return box_; }
   /// Area without the holes, in grid steps squared. Updated by every edit, in double arithmetic.
   double area() const { return twice_area_ / 2; }

@@ -22,7 +22,7 @@ struct AreaMoments {
 
 /// Summed over the triangles from one vertex to each edge.
 AreaMoments moments_of(const geometry::Polygon& polygon) {
-  const Point2 origin = polygon.at(polygon.cycles().front().first);
+  const Point2 origin = polygon.at(polygon.outer().first);
   double area = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
   for_each_edge(polygon, [&](geometry::Slot s) {
     const Point2 p = polygon.at(s) - origin, q = polygon.end(s) - origin;

@@ -35,6 +35,18 @@ TEST(Merge, TellsTheCasesApart) {
   EXPECT_EQ(merged(square, {rectangle(22950, 22950, 30000, 30000)}).outcome, Merger::too_far);
 }
 
+/// After edits the outer perimeter need not be the first of the cycles, which may be free.
+TEST(Merge, WhereverTheOuterPerimeterIsStored) {
+  EdgeIds ids;
+  Polygon a = make({rectangle(0, 0, 20000, 20000)}, ids);
+  PolygonState state = make({rectangle(100, 100, 9000, 9000)}, ids).state();
+  state.cycles.insert(state.cycles.begin(), Polygon::Cycle{});
+  for (auto& node : state.nodes) node.cycle = CycleId{1};
+  const Polygon b = Polygon::from_state(state);
+  EXPECT_EQ(b.outer().size, 4u);
+  EXPECT_EQ(merge_polygons(a, b, kMergedGap, ids), Merger::contained);
+}
+
 TEST(Merge, AnEnclosingPolygonReplacesTheOther) {
   const Merged m = merged({rectangle(0, 0, 20000, 20000)}, {rectangle(-10000, -10000, 30000, 30000)});
   EXPECT_EQ(outline(m.result), outline({rectangle(-10000, -10000, 30000, 30000)}));
