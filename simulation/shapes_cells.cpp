@@ -21,10 +21,9 @@ unsigned connected(unsigned cells) {
   unsigned group = cells & (~cells + 1);
   for (unsigned before = 0; group != before;) {
     before = group;
-    group |= (group & 0x55) << 1 | (group & 0xaa) >> 1;
-    group |= (group & 0x33) << 2 | (group & 0xcc) >> 2;
-    group |= (group & 0x0f) << 4 | (group & 0xf0) >> 4;
-    group &= cells;
+    const unsigned beside = (group & 0x55) << 1 | (group & 0xaa) >> 1 | (group & 0x33) << 2 |
+                            (group & 0xcc) >> 2 | (group & 0x0f) << 4 | (group & 0xf0) >> 4;
+    group |= beside & cells;
   }
   return group;
 }
