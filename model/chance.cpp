@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "series_internal.hpp"
 #include "thresholds_internal.hpp"
@@ -39,16 +41,16 @@ class VoidSearch {
         most_(most_expected_in_empty_disc(complex.now())),
         unseen_(complex.rules().near ? kUnextended * lambda_ : 0),
         // No disc is looked at farther than where a quarter of it would be too much.
-        reach_(std::max(lambda_, 2 * radius_of(most_) + unseen_) * 1.01) {}
+        reach_(std::max(lambda_, 2 * radius_of(most_) + unseen_) * 1.01),
+        rounding_(4 * complex.setting().step) {}
 
-  bool finds_any() const {
-    Eigen::AlignedBox2d box;
-    for (const Vector2d& p : addition_.outline) box.extend(p);
-    const Vector2d sizes = box.sizes();
+  bool finds_any() {
+    for (const Vector2d& p : addition_.outline) box_.extend(p);
+    const Vector2d sizes = box_.sizes();
     const double side = std::clamp(sizes.minCoeff(), lambda_ / 4, 4 * lambda_);
     for (double x = 0; x < sizes.x() || x == 0; x += side)
       for (double y = 0; y < sizes.y() || y == 0; y += side)
-        if (finds_in(box.min() + Vector2d(x + side / 2, y + side / 2), side / 2)) return true;
+        if (finds_in(box_.min() + Vector2d(x + side / 2, y + side / 2), side / 2)) return true;
     return false;
   }
 
@@ -85,11 +87,21 @@ class VoidSearch {
     return inside;
   }
 
+  /// Is no place of the square too far, if its centre is no farther than `radius` from where it was felt?
+  bool none_in(const Vector2d& centre, double around, double radius) const {
+    return radius + around <= lambda_ || expected(centre, radius + around, around) <= most_;
+  }
+
   /// In the square of this centre and half side.
-  bool finds_in(const Vector2d& centre, double half) const {
+  bool finds_in(const Vector2d& centre, double half) {
+    if (!box_.intersects(Eigen::AlignedBox2d(centre.array() - half, centre.array() + half))) return false;
     const double around = half * std::numbers::sqrt2;
-    const double radius = distance(centre, reach_ + around);
-    if (radius + around <= lambda_ || expected(centre, radius + around, around) <= most_) return false;
+    // Distances differ by no more than the places do.
+    const double bound = std::min(reach_ + around, last_radius_ + (centre - last_centre_).norm() + rounding_);
+    if (none_in(centre, around, bound)) return false;
+    const double radius = distance(centre, bound);
+    if (radius < bound) last_centre_ = centre, last_radius_ = radius;
+    if (none_in(centre, around, radius)) return false;
     if (radius > lambda_ && expected(centre, radius, 0) > most_ && holds(centre)) return true;
     if (half < kLeastPlace * lambda_) return false;
     for (const double dx : {-half / 2, half / 2})
@@ -100,7 +112,11 @@ class VoidSearch {
 
   const PolygonPart& part_;
   const Addition& addition_;
-  double lambda_, density_, most_, unseen_, reach_;
+  Eigen::AlignedBox2d box_;  ///< of the addition
+  double lambda_, density_, most_, unseen_, reach_, rounding_;
+  /// The place looked at last whose distance is known.
+  Vector2d last_centre_ = Vector2d::Zero();
+  double last_radius_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
@@ -122,8 +138,9 @@ Addition::Limit limit_along(const PolygonPart& part, geometry::Point2 from, geom
 
 double most_expected_in_empty_disc(std::int64_t m) {
   const double twice = 2 * static_cast<double>(std::max<std::int64_t>(m, 1));
-  double a = 10;
-  for (int i = 0; i < 30; ++i) a = natural_log(twice / kDiscsByChance * (1 + a));
+  double a = 10, last = 0;
+  for (int i = 0; i < 30 && a != last; ++i)
+    last = std::exchange(a, natural_log(twice / kDiscsByChance * (1 + a)));
   return a;
 }
 
