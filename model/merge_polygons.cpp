@@ -14,6 +14,7 @@
 #include "publish_internal.hpp"
 #include "series_internal.hpp"
 #include "sharing_internal.hpp"
+#include "twins_internal.hpp"
 #include "young_internal.hpp"
 
 namespace limpet::model::internal {
@@ -34,7 +35,7 @@ bool planes_agree(const Setting& setting, const Segment& a, const Segment& b) {
     limit_rad = std::min(1.5, std::max(limit_rad, 3 * std::sqrt(ea * ea + eb * eb)));
   }
   const double cos_limit = limit_rad == setting.parameters.angle_rad ? setting.cos_angle : cosine(limit_rad);
-  if (a.fit.normal.dot(b.fit.normal) <= cos_limit) return false;
+  if (a.fit.normal.dot(b.fit.normal) <= cos_limit && !are_twins(setting, large, small)) return false;
   if (!faces_outside(a.polygon->outward, a.data.axis_sum() + b.data.axis_sum())) return false;
   if (setting.rules().residual) {
     const double residual2 = small.data.moments().squared_residual(large.fit.plane(), setting.step);
@@ -42,7 +43,8 @@ bool planes_agree(const Setting& setting, const Segment& a, const Segment& b) {
         4 * small.data.variance() + 9 * large.fit.height_variance(small.fit.centroid, large.data.variance());
     const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance;
     if (residual2 > std::max(by_noise, tolerance2) || residual2 >= setting.lambda2) return false;
-    if (residual2 > by_noise && setting.relief_kept() && !surfaces_continue(setting, large, small))
+    if (residual2 > by_noise && setting.relief_kept() && !surfaces_continue(setting, large, small) &&
+        !are_twins(setting, large, small))
       return false;
   }
   Moments merged = a.data.moments();

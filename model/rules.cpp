@@ -8,7 +8,7 @@
 namespace limpet::model {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool Rules::*>, 17> kRules = {{
+constexpr std::array<std::pair<const char*, bool Rules::*>, 18> kRules = {{
     {"promotion", &Rules::promotion},
     {"chance", &Rules::chance},
     {"patch", &Rules::patch},
@@ -23,6 +23,7 @@ constexpr std::array<std::pair<const char*, bool Rules::*>, 17> kRules = {{
     {"voids", &Rules::voids},
     {"spurs", &Rules::spurs},
     {"pinches", &Rules::pinches},
+    {"twins", &Rules::twins},
     {"position", &Rules::position},
     {"finish", &Rules::finish},
     {"expiry", &Rules::expiry},

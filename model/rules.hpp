@@ -30,6 +30,7 @@ struct Rules {
   /// When finishing, a polygon that fills two opposite quadrants between two others' planes is cut in two
   /// there.
   bool pinches = true;
+  bool twins = true;
   /// When finishing, segments without neighbours that lie on larger ones are deleted.
   bool position = true;
   bool finish = true;  ///< at the end of input, the update is repeated until nothing changes
