@@ -150,7 +150,8 @@ Run run(const Arguments& args, const Case& c, int seed) {
   auto labelled = simulation::scan(scene.mesh, options);
   const Eigen::Vector3d shift = args.move * Eigen::Vector3d(1e6, -1e6, 1e3);
   std::vector<model::SensorPoint> points;
-  for (const auto& p : labelled) points.push_back({args.scale * p.point.position + shift, p.point.axis});
+  for (const auto& p : labelled)
+    points.push_back({args.scale * p.point.position + shift, p.point.axis, args.scale * p.point.range});
 
   model::Parameters parameters;
   parameters.resolution = args.scale * c.resolution;

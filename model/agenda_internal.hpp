@@ -101,6 +101,10 @@ class Agenda {
   void note_redundant(SegmentId id) { redundant_.push_back(id); }
   std::vector<SegmentId> take_redundant() { return std::exchange(redundant_, {}); }
 
+  /// So many readings have passed through the polygon that it is no surface.
+  void note_passed(SegmentId id) { passed_.push_back(id); }
+  std::vector<SegmentId> take_passed() { return std::exchange(passed_, {}); }
+
   /// finish() has cut a polygon in two here (world); its parts do not merge until it ends (rule `pinches`).
   void note_parting(const Eigen::Vector3d& at) { partings_.push_back(at); }
   const std::vector<Eigen::Vector3d>& partings() const { return partings_; }
@@ -140,7 +144,7 @@ class Agenda {
   std::map<SegmentPair, std::pair<std::uint64_t, std::uint64_t>> refused_;
   std::set<SegmentPair> disordered_;
   std::vector<Eigen::Vector3d> partings_;  ///< only during finish()
-  std::vector<SegmentId> redundant_;
+  std::vector<SegmentId> redundant_, passed_;
   std::deque<std::pair<std::int64_t, SegmentId>> by_age_;
 };
 

@@ -46,6 +46,7 @@ class VoidSearch {
 
   bool finds_any() {
     for (const Vector2d& p : addition_.outline) box_.extend(p);
+    if (was_passed()) return true;
     const Vector2d sizes = box_.sizes();
     const double side = std::clamp(sizes.minCoeff(), lambda_ / 4, 4 * lambda_);
     for (double x = 0; x < sizes.x() || x == 0; x += side)
@@ -85,6 +86,18 @@ class VoidSearch {
         inside = !inside;
     }
     return inside;
+  }
+
+  /// Have readings passed through the addition, where nothing was felt?
+  bool was_passed() const {
+    if (!part_.passages) return false;
+    const auto& places = part_.passages->places();
+    return std::any_of(places.begin(), places.end(), [&](const Passages::Place& passed) {
+      const Eigen::Vector3d off = passed.at - addition_.origin;
+      const Vector2d at(off.dot(addition_.x), off.dot(addition_.y));
+      return passed.count >= kPassedTwice && box_.contains(at) && holds(at) &&
+             distance(at, lambda_ / 4) >= lambda_ / 4;
+    });
   }
 
   /// Is no place of the square too far, if its centre is no farther than `radius` from where it was felt?

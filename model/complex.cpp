@@ -137,10 +137,22 @@ void Complex::absorb_united(const Segment& into, const Segment& from, bool stays
     felt->add(std::move(*mutable_of(from).polygon->felt));
   else
     felt.reset();
+  if (const Owned<Passages>& theirs = from.polygon->passages) {
+    Owned<Passages>& passages = mutable_of(into).polygon->passages;
+    if (!passages) passages = std::make_unique<Passages>();
+    passages->add(*theirs, kPassagesApart * setting_.lambda);
+  }
   const auto lost = erase(mutable_of(from));
   segments_.rename(mutable_of(into));
   changes_.add(Change::Kind::merged, old_id, gone, into.id);
   changes_.add(Change::Kind::edges_removed, into.id, lost);
+}
+
+void Complex::note_passage(const Segment& s, const Eigen::Vector3d& at, std::int64_t through) {
+  Owned<Passages>& passages = mutable_of(s).polygon->passages;
+  if (!passages) passages = std::make_unique<Passages>();
+  passages->add(at, kPassagesApart * setting_.lambda);
+  if (through > 0) passages->note_through(through);
 }
 
 void Complex::keep_felt(const Segment& s) {

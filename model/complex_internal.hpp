@@ -98,6 +98,9 @@ class Complex {
   /// A point joins a polygon, whose perimeter has been extended to it already.
   void absorb(const Segment& into, const RawPoint&);
   /// A reading lies on an initial segment, which it leaves as it is.
+  /// A reading has passed the plane of a polygon near it. `through`: for how many that have passed through
+  /// the polygon it stands.
+  void note_passage(const Segment&, const Eigen::Vector3d& at, std::int64_t through);
   void confirm(const Segment& initial) { ++mutable_of(initial).polygon->confirmed; }
   /// Moves all sensor points of `from` to `into`, and deletes `from`. The plane is not fitted anew.
   void absorb(const Segment& into, const Segment& from, bool stays_young);

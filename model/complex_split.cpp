@@ -26,6 +26,7 @@ const Segment& Complex::split(const Segment& whole, const geometry::Edit& rest,
   agenda_.opened(s.slot);
   s.polygon = std::move(part);
   if (whole.polygon->felt) s.polygon->felt = std::make_unique<Felt>(*whole.polygon->felt);
+  if (whole.polygon->passages) s.polygon->passages = std::make_unique<Passages>(*whole.polygon->passages);
   agenda_.became_polygon(s.slot);
   BoundaryDifference difference = book_difference(s, false);
   take_portion(s, portions.piece);

@@ -86,9 +86,13 @@ void describe(auto& archive, Is<Felt::Part> auto& p) { archive(p.chart, p.perime
 void describe(auto& archive, Is<Felt> auto& felt) {
   std::apply([&](auto&... members) { archive(members...); }, felt.members());
 }
+void describe(auto& archive, Is<Passages::Place> auto& p) { archive(p.at, p.count); }
+void describe(auto& archive, Is<Passages> auto& passages) {
+  std::apply([&](auto&... members) { archive(members...); }, passages.members());
+}
 void describe(auto& archive, Is<PolygonPart> auto& p) {
   archive(p.chart, p.perimeter, p.published, p.outward, p.initial, p.box, p.heights, p.stale, p.counted_area,
-          p.shape, p.felt);
+          p.shape, p.felt, p.passages);
 }
 void describe(auto& archive, Is<Segment> auto& s) {
   archive(s.id, s.fit, s.data, s.next_fit, s.indexed, s.indexed_as_polygon, s.polygon);

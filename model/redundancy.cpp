@@ -67,9 +67,10 @@ std::pair<const Segment*, Standing> best_for(const Complex& complex, const Segme
   return best;
 }
 
-/// Deletes the segment. Its data goes to a polygon that it fits as a whole; else the points that it keeps go,
-/// one by one, to polygons that they fit. Returns how many points are given up.
+}  // namespace
+
 std::int64_t delete_segment(Complex& complex, Agenda& agenda, Labels& labels, const Segment& s) {
+  complex.dissolve_all_neighbours(s);
   if (s.count() > 0)
     if (const auto [other, st] =
             best_for(complex, &s, s.fit.centroid, s.data.axis_sum(), s.data.moments(), s.data.variance());
@@ -88,8 +89,6 @@ std::int64_t delete_segment(Complex& complex, Agenda& agenda, Labels& labels, co
   }
   return lost;
 }
-
-}  // namespace
 
 void note_if_redundant(const Setting& setting, Agenda& agenda, const Segment& a, const Segment& b) {
   const Segment& small = a.count() < b.count() ? a : b;

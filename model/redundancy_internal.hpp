@@ -14,5 +14,8 @@ void note_if_redundant(const Setting&, Agenda&, const Segment&, const Segment&);
 /// Deletes the segments that were noted and, when finishing, segments without neighbours that lie on others
 /// (rule `position`). Returns whether there were any.
 bool delete_redundant(Complex&, Agenda&, Labels&, Counts&);
+/// Deletes a polygon, neighbours or not. Its data goes to a polygon that it fits as a whole; else the points
+/// that it keeps go, one by one, to polygons that they fit. Returns how many points are given up.
+std::int64_t delete_segment(Complex&, Agenda&, Labels&, const Segment&);
 
 }  // namespace limpet::model::internal

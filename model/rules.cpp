@@ -8,24 +8,13 @@
 namespace limpet::model {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool Rules::*>, 18> kRules = {{
-    {"promotion", &Rules::promotion},
-    {"chance", &Rules::chance},
-    {"patch", &Rules::patch},
-    {"arrival", &Rules::arrival},
-    {"residual", &Rules::residual},
-    {"relief", &Rules::relief},
-    {"best", &Rules::best},
-    {"dissolve", &Rules::dissolve},
-    {"refresh", &Rules::refresh},
-    {"near", &Rules::near},
-    {"holes", &Rules::holes},
-    {"voids", &Rules::voids},
-    {"spurs", &Rules::spurs},
-    {"pinches", &Rules::pinches},
-    {"twins", &Rules::twins},
-    {"position", &Rules::position},
-    {"finish", &Rules::finish},
+constexpr std::array<std::pair<const char*, bool Rules::*>, 19> kRules = {{
+    {"promotion", &Rules::promotion}, {"chance", &Rules::chance},     {"patch", &Rules::patch},
+    {"arrival", &Rules::arrival},     {"residual", &Rules::residual}, {"relief", &Rules::relief},
+    {"best", &Rules::best},           {"dissolve", &Rules::dissolve}, {"refresh", &Rules::refresh},
+    {"near", &Rules::near},           {"holes", &Rules::holes},       {"voids", &Rules::voids},
+    {"spurs", &Rules::spurs},         {"pinches", &Rules::pinches},   {"twins", &Rules::twins},
+    {"rays", &Rules::rays},           {"position", &Rules::position}, {"finish", &Rules::finish},
     {"expiry", &Rules::expiry},
 }};
 

@@ -30,7 +30,10 @@ struct Rules {
   /// When finishing, a polygon that fills two opposite quadrants between two others' planes is cut in two
   /// there.
   bool pinches = true;
+  /// Two mature polygons that cover each other within the tolerance become one.
   bool twins = true;
+  /// Readings with a range say where no surface is: such places are not filled, such polygons are deleted.
+  bool rays = true;
   /// When finishing, segments without neighbours that lie on larger ones are deleted.
   bool position = true;
   bool finish = true;  ///< at the end of input, the update is repeated until nothing changes

@@ -13,6 +13,7 @@
 #include "fit_internal.hpp"
 #include "height_map_internal.hpp"
 #include "owned_internal.hpp"
+#include "passages_internal.hpp"
 #include "segment_data_internal.hpp"
 #include "spatial_index_internal.hpp"
 
@@ -33,6 +34,7 @@ struct PolygonPart {
   std::int64_t confirmed = 0;            ///< readings that lie on it; of an initial segment only
   std::uint64_t shape = 0;               ///< version number of the description
   Owned<Felt> felt;                      ///< since finish() has begun to add to it; none: all of it was felt
+  Owned<Passages> passages;              ///< where readings have passed its plane; none: nowhere
   std::vector<geometry::EdgeId> shared;  ///< its edges that are shared with neighbours, ascending
 
   /// A chart point, or a vertex, in the world.

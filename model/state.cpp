@@ -14,7 +14,7 @@
 namespace limpet::model::internal {
 namespace {
 
-constexpr std::string_view kMagic = "limpet model state 3 ";  ///< followed by the arithmetic and a newline
+constexpr std::string_view kMagic = "limpet model state 4 ";  ///< followed by the arithmetic and a newline
 constexpr std::size_t kDigestBytes = 8;
 
 std::string head() { return std::string(kMagic) + geometry::arithmetic() + "\n"; }

@@ -62,6 +62,14 @@ void require_felt(const Engine& e, const Felt& felt) {
     require_state(part.chart.step() == e.setting.step, "was felt on another grid");
 }
 
+void require_passages(const Passages& passages) {
+  require_state(passages.rays() >= 0 && passages.through() >= passages.rays() &&
+                    passages.places().size() <= kMostPassages,
+                "has readings that passed too often");
+  for (const Passages::Place& place : passages.places())
+    require_state(place.at.allFinite() && place.count > 0, "has a place that no reading has passed");
+}
+
 void require_segment(const Engine& e, const Segment& s) {
   require_state(s.id.value > 0 && s.id.value < Storage::next_segment(e.complex),
                 "has an identity that was not given yet");
@@ -81,6 +89,7 @@ void require_segment(const Engine& e, const Segment& s) {
   if (!s.polygon) return;
   require_state(s.polygon->chart.step() == e.setting.step, "has a polygon on another grid");
   if (s.polygon->felt) require_felt(e, *s.polygon->felt);
+  if (s.polygon->passages) require_passages(*s.polygon->passages);
 }
 
 }  // namespace

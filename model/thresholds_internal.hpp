@@ -109,6 +109,23 @@ inline constexpr double kUnextended = 1.0 / 8;
 /// In λ: the smallest half side of a square of places that is divided further.
 inline constexpr double kLeastPlace = 1.0 / 24;
 
+// Readings that pass through a polygon (rule `rays`).
+
+/// In λ, beside noise and tolerance: how far a reading must be behind a plane that it has passed, and in
+/// gaps, how far from the perimeter it must pass to have passed through the polygon: perimeters reach out a
+/// little.
+inline constexpr double kPassedBehind = 0.25, kPassedInside = 0.25;
+/// In readings to λ²: so many are looked at.
+inline constexpr double kLookedAt = 4;
+/// A polygon is no surface when at least so many of these have passed through it, and one reading for so many
+/// of its own.
+inline constexpr std::int64_t kFewestPassages = 3, kPassedShare = 4;
+/// In λ: how far apart places are kept where readings have passed, and how many of them.
+inline constexpr double kPassagesApart = 0.5;
+inline constexpr std::size_t kMostPassages = 64;
+/// A place is not filled where at least so many have passed.
+inline constexpr std::int64_t kPassedTwice = 2;
+
 // Bounds of work: they make an operation end, and give up where it would be slow.
 
 inline constexpr std::size_t kMaxRing = 64;  ///< segments around one corner

@@ -9,6 +9,7 @@
 #include "fissures_internal.hpp"
 #include "initial_internal.hpp"
 #include "merging_internal.hpp"
+#include "passages_internal.hpp"
 #include "pinches_internal.hpp"
 #include "promotion_internal.hpp"
 #include "publish_internal.hpp"
@@ -47,13 +48,15 @@ void insert_readings(Engine& e, std::span<const SensorPoint> set) {
     raw->serial = serial;
     e.complex.tick();
     e.insertion.insert(*raw);
+    note_passages(e, reading);
   }
   e.clock.lap(&StageTimes::insertion);
 }
 
 /// Steps 2 and 3. Returns whether anything changed.
 bool mergers_and_fissures(Engine& e) {
-  bool any = dissolve_young(e.complex, e.agenda, e.insertion);
+  bool any = delete_passed(e);
+  any |= dissolve_young(e.complex, e.agenda, e.insertion);
   e.clock.lap(&StageTimes::dissolving);
   for (int round = 0; round < kMaxMergeRounds && merge_modified_polygons(e.complex, e.agenda); ++round)
     any = true;

@@ -1,0 +1,51 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include <limpet/model/sensor_point.hpp>
+
+namespace limpet::model::internal {
+
+struct Engine;
+
+/// Where readings have passed through a polygon's plane on their way from the sensor, near the polygon:
+/// nothing can be there (rule `rays`).
+class Passages {
+ public:
+  struct Place {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< world; where the first of them passed
+    std::int64_t count = 0;                        ///< of readings within `apart` of it
+  };
+
+  /// A reading has passed at p. A few places are kept, at least `apart` from each other.
+  void add(const Eigen::Vector3d& p, double apart, std::int64_t count = 1);
+  /// Those of a polygon that has merged into this one.
+  void add(const Passages& other, double apart);
+  /// A reading that stands for so many has passed through the polygon itself, not beside it or in a hole.
+  void note_through(std::int64_t readings) { ++rays_, through_ += readings; }
+
+  const std::vector<Place>& places() const { return places_; }
+  std::int64_t rays() const { return rays_; }
+  std::int64_t through() const { return through_; }
+  /// For the archive.
+  auto members() { return std::tie(places_, rays_, through_); }
+  auto members() const { return std::tie(places_, rays_, through_); }
+
+ private:
+  std::vector<Place> places_;
+  std::int64_t rays_ = 0, through_ = 0;
+};
+
+/// Notes, with each polygon whose plane the reading has passed near it, where. Nothing without a range. It
+/// has to come from one side of the plane and lie on the other, farther from it than noise and tolerance can
+/// bring it.
+void note_passages(Engine&, const SensorPoint&);
+/// Deletes the polygons that so many readings have passed through that they are no surface. Their points go
+/// to polygons that they fit, or are given up. Returns whether there were any.
+bool delete_passed(Engine&);
+
+}  // namespace limpet::model::internal
