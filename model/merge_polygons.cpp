@@ -35,7 +35,7 @@ bool planes_agree(const Setting& setting, const Segment& a, const Segment& b) {
     limit_rad = std::min(1.5, std::max(limit_rad, 3 * std::sqrt(ea * ea + eb * eb)));
   }
   const double cos_limit = limit_rad == setting.parameters.angle_rad ? setting.cos_angle : cosine(limit_rad);
-  if (a.fit.normal.dot(b.fit.normal) <= cos_limit && !are_twins(setting, large, small)) return false;
+  if (a.fit.normal.dot(b.fit.normal) <= cos_limit) return false;
   if (!faces_outside(a.polygon->outward, a.data.axis_sum() + b.data.axis_sum())) return false;
   if (setting.rules().residual) {
     const double residual2 = small.data.moments().squared_residual(large.fit.plane(), setting.step);

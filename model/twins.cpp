@@ -7,8 +7,6 @@
 
 #include <limpet/geometry/predicates.hpp>
 
-#include "thresholds_internal.hpp"
-
 namespace limpet::model::internal {
 namespace {
 
@@ -31,10 +29,11 @@ bool overlap(const PolygonPart& large, const PolygonPart& small) {
 
 bool are_twins(const Setting& setting, const Segment& large, const Segment& small) {
   if (!setting.rules().twins || !large.mature_polygon() || !small.mature_polygon()) return false;
-  const double tolerance = setting.parameters.tolerance,
+  if (large.fit.normal.dot(small.fit.normal) <= setting.cos_angle) return false;
+  const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance,
                residual2 = small.data.moments().squared_residual(large.fit.plane(), setting.step);
-  return residual2 <= tolerance * tolerance && large.fit.normal.dot(small.fit.normal) > kSameWay &&
-         (cross(large, small, residual2) || overlap(*large.polygon, *small.polygon));
+  return (residual2 <= tolerance2 && cross(large, small, residual2)) ||
+         (residual2 <= tolerance2 / 4 && overlap(*large.polygon, *small.polygon));
 }
 
 }  // namespace limpet::model::internal
