@@ -32,8 +32,8 @@ bool are_twins(const Setting& setting, const Segment& large, const Segment& smal
   if (large.fit.normal.dot(small.fit.normal) <= setting.cos_angle) return false;
   const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance,
                residual2 = small.data.moments().squared_residual(large.fit.plane(), setting.step);
-  return (residual2 <= tolerance2 && cross(large, small, residual2)) ||
-         (residual2 <= tolerance2 / 4 && overlap(*large.polygon, *small.polygon));
+  return (residual2 <= tolerance2 / 4 || (residual2 <= tolerance2 && cross(large, small, residual2))) &&
+         overlap(*large.polygon, *small.polygon);
 }
 
 }  // namespace limpet::model::internal

@@ -7,10 +7,10 @@
 namespace limpet::model::internal {
 
 /// Are two mature polygons one surface (rule `twins`), although their planes differ by more than their
-/// readings explain? They are if the angle between them is below μ, and the readings of the smaller one are
-/// as a whole within the tolerance of the other's plane and on both sides of it, or within half the tolerance
-/// while more than half of the smaller perimeter's vertices are inside the other. Two faces that meet in an
-/// edge, or a step between them, lie beside each other, and on one side of each other's planes.
+/// readings explain? They are if the angle between them is below μ, more than half of the smaller perimeter's
+/// vertices are inside the other, and the readings of the smaller one are as a whole within half the
+/// tolerance of the other's plane, or within the tolerance and on both sides of it. Two faces that meet in an
+/// edge, or a step between them, lie beside each other.
 bool are_twins(const Setting&, const Segment& large, const Segment& small);
 
 }  // namespace limpet::model::internal

@@ -10,9 +10,9 @@ namespace {
 
 using namespace testing;
 
-Parameters parameters_with(const char* rules) {
+Parameters parameters_with(const char* rules, double noise) {
   Parameters parameters = of_resolution(0.1);
-  parameters.noise = 0.005;
+  parameters.noise = noise;
   parameters.tolerance = 0.03;
   parameters.rules = Rules::parse(rules);
   return parameters;
@@ -26,8 +26,8 @@ Points tilted_plate(Random& random, int count, double x0, double x1, double rise
   return points;
 }
 
-std::size_t polygons_of(const Points& points, const char* rules) {
-  const ModelRecord record = modelled(parameters_with(rules), points).record();
+std::size_t polygons_of(const Points& points, const char* rules, double noise = 0.005) {
+  const ModelRecord record = modelled(parameters_with(rules, noise), points).record();
   EXPECT_EQ(broken_laws(record), "") << rules;
   return record.polygon_segments.size();
 }
@@ -36,20 +36,22 @@ std::size_t polygons_of(const Points& points, const char* rules) {
 struct Twins {
   const char* name;
   double rise, offset;
+  double given_noise;  ///< instead of 0.005
 };
 class TwinsOfOneSurface : public ::testing::TestWithParam<Twins> {};
 
 TEST_P(TwinsOfOneSurface, BecomeOne) {
-  const auto& [name, rise, offset] = GetParam();
+  const auto& [name, rise, offset, noise] = GetParam();
   Random random(7);
   Points points = tilted_plate(random, 700, 0.7, 1.3, rise, 1, offset);
   for (const auto& p : tilted_plate(random, 4000, 0, 2, 0, 0, 0)) points.push_back(p);
-  EXPECT_EQ(polygons_of(points, "limpet"), 1u);
-  EXPECT_EQ(polygons_of(points, "-twins"), 2u);
+  EXPECT_EQ(polygons_of(points, "limpet", noise), 1u);
+  EXPECT_GT(polygons_of(points, "-twins", noise), 1u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Twins, TwinsOfOneSurface,
-                         ::testing::Values(Twins{"Crossing", 0.15, 0}, Twins{"Parallel", 0, 0.022}),
+                         ::testing::Values(Twins{"Crossing", 0.15, 0, 0.005},
+                                           Twins{"Parallel", 0, 0.012, 0.0015}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 /// Beside each other, two surfaces within the tolerance of each other's plane stay two.
