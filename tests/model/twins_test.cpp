@@ -33,12 +33,12 @@ std::size_t polygons_of(const Points& points, const char* rules, double noise = 
 }
 
 /// What is felt first, in a plane of its own, and then the surface that it is a part of.
-struct Twins {
+struct TwoPlanes {
   const char* name;
   double rise, offset;
   double given_noise;  ///< instead of 0.005
 };
-class TwinsOfOneSurface : public ::testing::TestWithParam<Twins> {};
+class TwinsOfOneSurface : public ::testing::TestWithParam<TwoPlanes> {};
 
 TEST_P(TwinsOfOneSurface, BecomeOne) {
   const auto& [name, rise, offset, noise] = GetParam();
@@ -50,8 +50,8 @@ TEST_P(TwinsOfOneSurface, BecomeOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Twins, TwinsOfOneSurface,
-                         ::testing::Values(Twins{"Crossing", 0.15, 0, 0.005},
-                                           Twins{"Parallel", 0, 0.012, 0.0015}),
+                         ::testing::Values(TwoPlanes{"Crossing", 0.15, 0, 0.005},
+                                           TwoPlanes{"Parallel", 0, 0.012, 0.0015}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 /// Beside each other, two surfaces within the tolerance of each other's plane stay two.
