@@ -99,7 +99,9 @@ void note_passages(Engine& e, const SensorPoint& reading) {
   const double slack = 2 * rounding_near(e.complex, Box3(reading.position));
   e.complex.polygons().walk(ray, range, slack, [&](std::uint32_t slot, double begin, double end) {
     const Segment& s = e.complex.at(slot);
-    if (!s.initial() && enters_in(s.indexed, ray, begin, end))
+    const bool is_new =  // several cells of a piece may have it
+        std::none_of(passages.begin(), passages.end(), [&](const Passage& one) { return one.segment == &s; });
+    if (is_new && !s.initial() && enters_in(s.indexed, ray, begin, end))
       if (const auto passage = passage_of(s, ray, range, clear, e.setting.gap)) passages.push_back(*passage);
     return range;
   });
