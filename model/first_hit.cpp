@@ -11,13 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Where the ray enters the box, 0 if it starts inside; nothing when it passes by.
-std::optional<double> entry(const Box3& box, const SpatialIndex::Ray& ray) {
-  const auto [enters, leaves] = ray.within(box);
-  const double first = std::max(0.0, enters);
-  return first <= leaves ? std::optional(first) : std::nullopt;
-}
-
 /// Where the ray meets the polygon, if within `range`.
 std::optional<View::Hit> hit_of(const Segment& s, const Vector3d& from, const Vector3d& axis, double range) {
   const Lifted polygon(*s.polygon);
@@ -53,7 +46,7 @@ std::optional<View::Hit> first_hit(const Complex& complex, const Vector3d& from,
     if (!is_asked(which, s)) return range;
     // A segment comes up in every piece of the ray near it; it is tested in the piece where the ray enters
     // its box.
-    const auto enters = entry(grown(s.polygon->box, room_around(complex, rounding)), ray);
+    const auto enters = ray.entry(grown(s.polygon->box, room_around(complex, rounding)));
     if (enters && *enters >= begin && *enters < end && *enters <= range) look(s);
     return range;
   });

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,12 @@ class SpatialIndex {
     Eigen::Vector3d at(double t) const { return from + t * axis; }
     /// The interval of t in which the ray is inside the box; first > second: it is nowhere inside.
     std::pair<double, double> within(const Box3&) const;
+    /// Where the ray enters the box, 0 if it starts inside; nothing when it passes by.
+    std::optional<double> entry(const Box3& box) const {
+      const auto [enters, leaves] = within(box);
+      const double first = std::max(0.0, enters);
+      return first <= leaves ? std::optional(first) : std::nullopt;
+    }
   };
 
   /// Walks along the ray from + t·axis, 0 ≤ t ≤ range, level by level, in pieces about one cell long: calls
