@@ -44,7 +44,7 @@ bool planes_agree(const Setting& setting, const Segment& a, const Segment& b) {
     const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance;
     if (residual2 > std::max(by_noise, tolerance2) || residual2 >= setting.lambda2) return false;
     if (residual2 > by_noise && setting.relief_kept() && !surfaces_continue(setting, large, small) &&
-        !are_twins(setting, large, small))
+        !are_twins(setting, large, small, residual2))
       return false;
   }
   Moments merged = a.data.moments();

@@ -27,11 +27,10 @@ bool overlap(const PolygonPart& large, const PolygonPart& small) {
 
 }  // namespace
 
-bool are_twins(const Setting& setting, const Segment& large, const Segment& small) {
+bool are_twins(const Setting& setting, const Segment& large, const Segment& small, double residual2) {
   if (!setting.rules().twins || !large.mature_polygon() || !small.mature_polygon()) return false;
   if (large.fit.normal.dot(small.fit.normal) <= setting.cos_angle) return false;
-  const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance,
-               residual2 = small.data.moments().squared_residual(large.fit.plane(), setting.step);
+  const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance;
   return (residual2 <= tolerance2 / 4 || (residual2 <= tolerance2 && cross(large, small, residual2))) &&
          overlap(*large.polygon, *small.polygon);
 }

@@ -10,7 +10,8 @@ namespace limpet::model::internal {
 /// readings explain? They are if the angle between them is below μ, more than half of the smaller perimeter's
 /// vertices are inside the other, and the readings of the smaller one are as a whole within half the
 /// tolerance of the other's plane, or within the tolerance and on both sides of it. Two faces that meet in an
-/// edge, or a step between them, lie beside each other.
-bool are_twins(const Setting&, const Segment& large, const Segment& small);
+/// edge, or a step between them, lie beside each other. `residual2`: the mean squared height of the smaller
+/// one's readings over the other's plane of best fit.
+bool are_twins(const Setting&, const Segment& large, const Segment& small, double residual2);
 
 }  // namespace limpet::model::internal
