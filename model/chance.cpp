@@ -95,7 +95,7 @@ class VoidSearch {
     return std::any_of(places.begin(), places.end(), [&](const Passages::Place& passed) {
       const Eigen::Vector3d off = passed.at - addition_.origin;
       const Vector2d at(off.dot(addition_.x), off.dot(addition_.y));
-      return passed.count >= kPassedTwice && box_.contains(at) && holds(at) &&
+      return passed.count >= kFewestThroughVoid && box_.contains(at) && holds(at) &&
              distance(at, lambda_ / 4) >= lambda_ / 4;
     });
   }

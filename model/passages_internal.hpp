@@ -6,11 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include <limpet/model/sensor_point.hpp>
-
 namespace limpet::model::internal {
-
-struct Engine;
 
 /// Where readings have passed through a polygon's plane on their way from the sensor, near the polygon:
 /// nothing can be there (rule `rays`).
@@ -39,13 +35,5 @@ class Passages {
   std::vector<Place> places_;
   std::int64_t rays_ = 0, through_ = 0;
 };
-
-/// Notes, with each polygon whose plane the reading has passed near it, where. Nothing without a range. It
-/// has to come from one side of the plane and lie on the other, farther from it than noise and tolerance can
-/// bring it.
-void note_passages(Engine&, const SensorPoint&);
-/// Deletes the polygons that so many readings have passed through that they are no surface. Their points go
-/// to polygons that they fit, or are given up. Returns whether there were any.
-bool delete_passed(Engine&);
 
 }  // namespace limpet::model::internal

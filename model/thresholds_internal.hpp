@@ -124,7 +124,7 @@ inline constexpr std::int64_t kFewestPassages = 3, kPassedShare = 4;
 inline constexpr double kPassagesApart = 0.5;
 inline constexpr std::size_t kMostPassages = 64;
 /// A place is not filled where at least so many have passed.
-inline constexpr std::int64_t kPassedTwice = 2;
+inline constexpr std::int64_t kFewestThroughVoid = 2;
 
 // Bounds of work: they make an operation end, and give up where it would be slow.
 

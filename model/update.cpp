@@ -9,10 +9,10 @@
 #include "fissures_internal.hpp"
 #include "initial_internal.hpp"
 #include "merging_internal.hpp"
-#include "passages_internal.hpp"
 #include "pinches_internal.hpp"
 #include "promotion_internal.hpp"
 #include "publish_internal.hpp"
+#include "rays_internal.hpp"
 #include "redundancy_internal.hpp"
 #include "sharing_internal.hpp"
 #include "voids_internal.hpp"
@@ -48,15 +48,14 @@ void insert_readings(Engine& e, std::span<const SensorPoint> set) {
     raw->serial = serial;
     e.complex.tick();
     e.insertion.insert(*raw);
-    note_passages(e, reading);
+    note_passages(e, *raw, reading.range);
   }
   e.clock.lap(&StageTimes::insertion);
 }
 
 /// Steps 2 and 3. Returns whether anything changed.
 bool mergers_and_fissures(Engine& e) {
-  bool any = delete_passed(e);
-  any |= dissolve_young(e.complex, e.agenda, e.insertion);
+  bool any = dissolve_young(e.complex, e.agenda, e.insertion);
   e.clock.lap(&StageTimes::dissolving);
   for (int round = 0; round < kMaxMergeRounds && merge_modified_polygons(e.complex, e.agenda); ++round)
     any = true;
@@ -196,6 +195,7 @@ void update_set(Engine& e, std::span<const SensorPoint> set) {
   if (!set.empty()) {  // nothing has come, so nothing is due that was not before: law 9 of Model
     e.agenda.forget_disorder();
     insert_readings(e, set);
+    delete_passed(e);
     mergers_and_fissures(e);
     shared_edges_and_corners(e);
     e.agenda.clear_modified();  // step 6

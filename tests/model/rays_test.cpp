@@ -51,7 +51,7 @@ TEST(Rays, WhatHidesStays) {
   Random random(4);
   Points points;
   for (const auto& p : plate(random, 6000, 0, 0, 2, 2, 0.002)) {
-    const auto& [x, y, z] = std::tuple(p.position.x(), p.position.y(), p.position.z());
+    const double x = p.position.x(), y = p.position.y();
     const bool hidden = x > 0.6 && x < 1.2 && y > 0.6 && y < 1.2;
     const bool outlier = random.uniform() < 0.02;
     points.push_back(at_height({p}, outlier ? random.uniform(-1, 1.5) : hidden ? 1 : 0).front());
