@@ -182,6 +182,7 @@ std::vector<CheckpointOption> options_of(const ModelArguments& args) {
                                     : "by the scan"});
   options.push_back({"--tolerance", length(args.tolerance)});
   options.push_back({"--set-size", std::to_string(args.set_size)});
+  options.push_back({"--order", args.in_arrival_order ? "arrival" : "curve"});
   options.push_back({"--viewpoint", args.viewpoint
                                         ? text_of(args.viewpoint->x()) + "," + text_of(args.viewpoint->y()) +
                                               "," + text_of(args.viewpoint->z())

@@ -33,6 +33,8 @@ struct ModelArguments {
   std::optional<survey::NoiseLaw> noise;  ///< chosen from the scan when not given
   std::optional<double> tolerance;        ///< scan's unit; by noise and resolution when not given
   std::int64_t set_size = survey::kSetSize;
+  bool in_arrival_order = false;    ///< as the scan has its points, rather than along a curve
+  std::int64_t order_memory = 256;  ///< MB that points to be ordered take in memory at most
   std::optional<Eigen::Vector3d> viewpoint;
   bool orient = false;  ///< find the axes by neighbour consistency, whatever the scan says
   model::Rules rules;

@@ -75,6 +75,15 @@ void add_model(CLI::App& root, Command& chosen) {
                 true, [args](double length) { args->tolerance = length; });
   app.add_option("--set-size", args->set_size, "Sensor points in a set (default 26)")
       ->check(CLI::Range(1, 1'000'000));
+  const auto order = std::make_shared<std::string>("curve");
+  app.add_option("--order", *order,
+                 "In which points are modelled: curve (from neighbour to neighbour: faster, and better) or "
+                 "arrival (as they come: for streams without an end)")
+      ->check(CLI::IsMember({"curve", "arrival"}))
+      ->each([args](const std::string& text) { args->in_arrival_order = text == "arrival"; });
+  app.add_option("--order-memory", args->order_memory,
+                 "MB of points to be put in order that are held in memory; the rest is on disk (default 256)")
+      ->check(CLI::Range(1, 1'000'000));
   const auto viewpoint =
       text_option(app, "--viewpoint", "X,Y,Z",
                   "Where the sensor stood, for scans without axes and normals (default: by neighbours)",

@@ -70,6 +70,7 @@ model::Model ModelRun::begin() {
   model::Model model = make_model(choice.parameters);
   if (!args_.initial.empty()) add_initial(model, args_.initial);
   if (!args_.labels.empty()) model.keep_labels();
+  put_in_order(choice.parameters.resolution);
   return model;
 }
 
@@ -85,16 +86,30 @@ model::Model ModelRun::resume() {
       throw io::InputError(scan_.name(), "is not the scan that " + args_.checkpoint +
                                              " was written for, or it has changed since");
     if (voxel_edge_ > 0) orient(scan_, args_, voxel_edge_);
+    put_in_order(model.parameters().resolution);
     return model;
   } catch (const std::invalid_argument& error) {
     throw io::InputError(args_.checkpoint, error.what());
   }
 }
 
+void ModelRun::put_in_order(double resolution) {
+  if (args_.in_arrival_order) return;
+  const auto memory = static_cast<std::size_t>(args_.order_memory) << 20;
+  ordered_.emplace([this](Reading& reading) { return !interrupted() && read(reading); },
+                   survey::Ordering{resolution, memory, interrupted});
+}
+
+bool ModelRun::read(Reading& reading) {
+  if (!scan_.next(reading)) return false;
+  ++read_;
+  return true;
+}
+
 bool ModelRun::catch_up() {
   Progress progress("reading again", from_->points, args_.quiet);
   Reading reading;
-  while (given_ < from_->points && !interrupted() && scan_.next(reading)) {
+  while (given_ < from_->points && !interrupted() && next(reading)) {
     count_in(reading);
     progress.step(given_);
   }
@@ -131,18 +146,19 @@ void ModelRun::read_all(model::Model& model) {
   if (!interrupted()) model.finish(interrupted);
   interrupted_ = interrupted();
   seconds_ = seconds_so_far();
-  skipped_.add(given_, scan_.skipped_at_end());
+  records_.skip(read_, scan_.skipped_at_end());
 }
 
 void ModelRun::read_set(std::vector<Reading>& set) {
   set.clear();
   Reading reading;
-  while (static_cast<std::int64_t>(set.size()) < args_.set_size && !interrupted() && scan_.next(reading))
+  while (static_cast<std::int64_t>(set.size()) < args_.set_size && !interrupted() && next(reading))
     set.push_back(reading);
 }
 
 void ModelRun::count_in(const Reading& reading) {
-  skipped_.add(given_++, reading.skipped);
+  ++given_;
+  if (!args_.labels.empty()) records_.add(reading);
   sample_.add(reading.point);
   if (!keeper_.on()) return;
   for (const Eigen::Vector3d& v : {reading.point.position, reading.point.axis})
@@ -227,7 +243,7 @@ Summary ModelRun::summarise_run(const model::Model& model, const model::ModelRec
 void ModelRun::save(const model::Model& model, const model::ModelRecord& record, Outputs& outputs) const {
   for (const std::string& path : args_.models) outputs.attempt(path, [&] { io::save_model(path, record); });
   if (!args_.labels.empty())
-    outputs.attempt(args_.labels, [&] { save_text(args_.labels, skipped_.label_lines(model.labels())); });
+    outputs.attempt(args_.labels, [&] { save_text(args_.labels, records_.lines(read_, model.labels())); });
   stages_.save(args_.models.front(), record, outputs);
   if (interrupted_)
     std::fprintf(stderr, "limpet: interrupted after %s points; the model so far is written\n",

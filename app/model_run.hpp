@@ -8,12 +8,13 @@
 #include <limpet/app/commands.hpp>
 #include <limpet/app/outputs.hpp>
 #include <limpet/app/scan_choices.hpp>
-#include <limpet/app/skipped_records.hpp>
+#include <limpet/app/record_labels.hpp>
 #include <limpet/app/stages.hpp>
 #include <limpet/app/summary.hpp>
 #include <limpet/model/digest.hpp>
 #include <limpet/model/model.hpp>
 #include <limpet/survey/estimate.hpp>
+#include <limpet/survey/ordered_points.hpp>
 #include <limpet/survey/point_stream.hpp>
 #include <optional>
 #include <string>
@@ -37,6 +38,12 @@ class ModelRun {
 
   model::Model begin();
   model::Model resume();
+  /// Sees to it that points come in the order asked for. Precondition: λ is known, and axes are found.
+  void put_in_order(double resolution);
+  /// The next reading that the model is given.
+  bool next(Reading& reading) { return ordered_ ? ordered_->next(reading) : read(reading); }
+  /// The next reading of the scan.
+  bool read(Reading& reading);
   /// Reads again the points that the checkpoint's model has been given; they must be the same. False: it was
   /// interrupted.
   bool catch_up();
@@ -64,11 +71,13 @@ class ModelRun {
   Stages stages_;
   // What follows, apart from the times, depends on the points alone.
   survey::Sample sample_;
-  SkippedRecords skipped_;
+  RecordLabels records_;  ///< where labels are asked for
   model::Digest digest_;    ///< of the points given, where checkpoints are kept
   std::int64_t given_ = 0;  ///< points handed to the model
   std::int64_t sets_ = 0, violations_ = 0;
-  std::vector<model::SensorPoint> points_;  ///< scratch of give()
+  std::int64_t read_ = 0;                            ///< points read of the scan
+  std::optional<survey::OrderedPoints> ordered_;     ///< of the scan, unless it is modelled as it arrives
+  std::vector<model::SensorPoint> points_;           ///< scratch of give()
   std::int64_t total_ = -1;                 ///< points of the scan; -1: not known
   double voxel_edge_ = 0;                   ///< by which the scan was oriented; 0: it says its axes
   Clock::time_point start_;                 ///< of reading and modelling

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <deque>
 #include <functional>
-#include <limits>
 #include <limpet/model/sensor_point.hpp>
+#include <limpet/survey/temporary_file.hpp>
 #include <memory>
 
 namespace limpet::survey {
@@ -21,8 +20,7 @@ struct ReadPoint {
 
 /// Points that have been read and not handed out yet, in order, so that what comes only once, as through a
 /// pipe, can be looked at before it is modelled. The first hundred thousand are held in memory, those behind
-/// them in a temporary file. It has no name and is gone when the program ends, however it ends; TMPDIR says
-/// where it lies.
+/// them in a TemporaryFile.
 class Backlog {
  public:
   Backlog();
@@ -43,13 +41,11 @@ class Backlog {
   std::int64_t size() const { return size_; }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
+  struct Stored;  ///< a point as it lies in the file
+  struct OnDisk;
 
   std::deque<ReadPoint> in_memory_;
-  std::unique_ptr<std::FILE, Close> file_;
-  bool reading_ = false;  ///< the file stands at the next point to be read, and not at its end
+  std::unique_ptr<OnDisk> on_disk_;
   std::int64_t size_ = 0;
 };
 

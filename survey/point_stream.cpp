@@ -88,7 +88,7 @@ bool PointStream::next(Reading& reading) {
   settle_axes();
   ReadPoint point;
   if (!ahead_.take(point) && !read(point)) return false;
-  reading = {point.point, point.skipped};
+  reading = {point.point, point.skipped, given_++};
   if (orientation_) reading.point.axis = orientation_->axis(reading.point.position);
   return true;
 }

@@ -16,10 +16,11 @@ namespace limpet::survey {
 /// thesis's mobile robot.
 inline constexpr std::size_t kSetSize = 26;
 
-/// A sensor point of a scan, and how many records that are no point were passed over just before it.
+/// A sensor point of a scan.
 struct Reading {
   model::SensorPoint point;
-  std::int64_t skipped = 0;
+  std::int64_t skipped = 0;  ///< records that are no point and were passed over just before it
+  std::int64_t place = 0;    ///< among the scan's points, from 0
 };
 
 /// The points of a scan, in order, which can be looked at before they are read: a file is read a second time;
@@ -92,6 +93,7 @@ class PointStream {
   bool axes_say_nothing_ = false;
   std::int64_t axisless_ = 0;  ///< records that would be points, had they an axis
   std::int64_t skipped_seen_ = 0;
+  std::int64_t given_ = 0;  ///< points handed out
   std::string damage_;
   std::unique_ptr<Orientation> orientation_;
 };
