@@ -71,10 +71,21 @@ bool gives_way(const Complex& complex, const RingPart& part) {
   return chance_explains(complex, *part.segment, bay);
 }
 
+/// How far a corner may be from the perimeter that gives way to it, scan's unit. Readings within the tolerance
+/// of two planes that meet at a small angle go to either of them, so that at the end of input the perimeters
+/// may reach beyond their line by the tolerance over its sine more.
+double corner_reach(const Setting& setting, const Ring& ring, const SharingReach& reach) {
+  if (reach.section <= 1) return setting.lambda;
+  double sine = 1;
+  for (const RingPart& part : ring.parts) sine = std::min(sine, part.line_before.sine);
+  return std::min(setting.lambda + setting.parameters.tolerance / sine, reach.section * setting.lambda);
+}
+
 /// Sets the part's corner, and checks the conditions on its distances and directions (thesis §2.7).
 Refusal fit_corner(const Complex& complex, const Ring& ring, RingPart& part, const SharingReach& reach) {
   const PolygonPart& polygon = *part.segment->polygon;
-  const double lambda2 = complex.setting().lambda2;
+  const double lambda2 = complex.setting().lambda2, distance = corner_reach(complex.setting(), ring, reach),
+               distance2 = distance * distance;
   const auto corner = place_of_corner(complex, ring, part);
   if (!corner) return Refusal::corner_far;
   part.corner = geometry::round_to_grid(polygon.chart.project(*corner));
@@ -83,13 +94,13 @@ Refusal fit_corner(const Complex& complex, const Ring& ring, RingPart& part, con
     const Eigen::Vector3d p = polygon.position(s);
     far |=
         squared_distance(part.line_before, p) >= lambda2 && squared_distance(part.line_after, p) >= lambda2;
-    reached |= (p - *corner).squaredNorm() < lambda2;
+    reached |= (p - *corner).squaredNorm() < distance2;
   }
   for (std::size_t i = 0; i + 1 < part.between.size() && !reached; ++i) {  // also inside edges
     const Eigen::Vector3d p = polygon.position(part.between[i]),
                           d = polygon.position(part.between[i + 1]) - p;
     const double t = std::clamp(d.dot(*corner - p) / std::max(d.dot(d), 1e-300), 0.0, 1.0);
-    reached = (p + t * d - *corner).squaredNorm() < lambda2;
+    reached = (p + t * d - *corner).squaredNorm() < distance2;
   }
   if (!reached) return Refusal::corner_far;
   const bool doubtful = far || (reach.section > 1 && !polygon.all_felt());

@@ -19,6 +19,8 @@ struct Rules {
   bool best = true;      ///< a point goes to the best segment, polygons first; not to the lowest identity
   /// Young segments keep their points, and are dissolved beside mature polygons that these points fit.
   bool dissolve = true;
+  /// When finishing, young polygons with points that lie in other planes are dissolved.
+  bool strays = true;
   /// The initial plane follows the fit once its normal is known to μ/20, while the two differ by less than μ.
   bool refresh = true;
   bool near = true;   ///< points within λ/4 of a perimeter update the moments only
