@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -13,6 +14,7 @@
 #include "dirty_region_internal.hpp"
 #include "owned_internal.hpp"
 #include "segment_internal.hpp"
+#include "setting_internal.hpp"
 #include "thresholds_internal.hpp"
 
 namespace limpet::model::internal {
@@ -27,6 +29,14 @@ struct SharingReach {
   double section = kSectionReach;   ///< λ: greatest distance of a section from the line of its shared edge
   double least = kLeastNeighbours;  ///< λ: shortest edge that makes two segments neighbours
   bool from_shared = false;         ///< sections may also consist of edges that the two share already
+
+  /// How far a perimeter may be from a line of two planes that meet at an angle of this sine, and give way to
+  /// it without more, scan's unit: λ; and at the end of input, as readings within the tolerance of both
+  /// planes go to either of them, farther where they meet at a small angle.
+  double at_angle(const Setting& setting, double sine) const {
+    if (section <= 1) return setting.lambda;
+    return std::min(setting.lambda + setting.parameters.tolerance * (1 / sine - 1), section * setting.lambda);
+  }
 };
 
 /// The worklists of one polygon.

@@ -71,20 +71,17 @@ bool gives_way(const Complex& complex, const RingPart& part) {
   return chance_explains(complex, *part.segment, bay);
 }
 
-/// How far a corner may be from the perimeter that gives way to it, scan's unit. Readings within the tolerance
-/// of two planes that meet at a small angle go to either of them, so that at the end of input the perimeters
-/// may reach beyond their line by the tolerance over its sine more.
-double corner_reach(const Setting& setting, const Ring& ring, const SharingReach& reach) {
-  if (reach.section <= 1) return setting.lambda;
+/// The smallest sine of the angle between two neighbours around the ring.
+double least_sine(const Ring& ring) {
   double sine = 1;
   for (const RingPart& part : ring.parts) sine = std::min(sine, part.line_before.sine);
-  return std::min(setting.lambda + setting.parameters.tolerance / sine, reach.section * setting.lambda);
+  return sine;
 }
 
 /// Sets the part's corner, and checks the conditions on its distances and directions (thesis §2.7).
 Refusal fit_corner(const Complex& complex, const Ring& ring, RingPart& part, const SharingReach& reach) {
   const PolygonPart& polygon = *part.segment->polygon;
-  const double lambda2 = complex.setting().lambda2, distance = corner_reach(complex.setting(), ring, reach),
+  const double lambda2 = complex.setting().lambda2, distance = reach.at_angle(complex.setting(), least_sine(ring)),
                distance2 = distance * distance;
   const auto corner = place_of_corner(complex, ring, part);
   if (!corner) return Refusal::corner_far;

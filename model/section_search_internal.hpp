@@ -66,6 +66,7 @@ class SectionSearch {
   const CommonLine& line_;
   double sign_;
   double least_length_;  ///< least length of L, scan's unit
+  double at_angle_;      ///< SharingReach::at_angle() of the line
   double overshoot_;     ///< by which sections between ends of shared edges may overshoot them, scan's unit
   std::vector<LineChain> chains_p_, chains_q_;
   std::vector<Beyond> beyond_p_, beyond_q_;

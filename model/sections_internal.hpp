@@ -15,6 +15,7 @@ struct Side {
   const Segment* segment = nullptr;
   const LineChain* chain = nullptr;
   bool reversed = false;  ///< the perimeter runs against the chain
+  double reach = 0;       ///< SharingReach::at_angle() of the line
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::Zero(),
                   inwards = Eigen::Vector3d::Zero();  ///< of places and offsets, in the world
 
