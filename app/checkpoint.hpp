@@ -21,7 +21,7 @@ struct Checkpoint {
   std::vector<CheckpointOption> options;
   std::int64_t points = 0;   ///< points of the scan that the model has been given
   std::int64_t sets = 0;     ///< sets in which they were given
-  std::uint64_t digest = 0;  ///< of these points
+  std::uint64_t digest = 0;  ///< of these points; of all where they are put in order
   std::int64_t violations = 0;
   double seconds = 0;     ///< spent so far
   double voxel_edge = 0;  ///< by which the scan was oriented; 0: it says its axes

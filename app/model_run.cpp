@@ -36,7 +36,9 @@ void add_initial(model::Model& model, const std::string& mesh) {
 }  // namespace
 
 int say_nothing_is_written() {
-  std::fprintf(stderr, "limpet: interrupted before the first set; nothing is written\n");
+  std::fprintf(stderr,
+               "limpet: interrupted before the first set; nothing is written (with --order arrival points are "
+               "modelled as they come)\n");
   return kFallsShort;
 }
 
@@ -103,7 +105,16 @@ void ModelRun::put_in_order(double resolution) {
 bool ModelRun::read(Reading& reading) {
   if (!scan_.next(reading)) return false;
   ++read_;
+  if (ordered_) digest(reading);
   return true;
+}
+
+void ModelRun::digest(const Reading& reading) {
+  if (!keeper_.on()) return;
+  for (const Eigen::Vector3d& v : {reading.point.position, reading.point.axis})
+    digest_.add(v.x()), digest_.add(v.y()), digest_.add(v.z());
+  digest_.add(reading.point.range);
+  digest_.add(static_cast<std::uint64_t>(reading.skipped));
 }
 
 bool ModelRun::catch_up() {
@@ -160,11 +171,7 @@ void ModelRun::count_in(const Reading& reading) {
   ++given_;
   if (!args_.labels.empty()) records_.add(reading);
   sample_.add(reading.point);
-  if (!keeper_.on()) return;
-  for (const Eigen::Vector3d& v : {reading.point.position, reading.point.axis})
-    digest_.add(v.x()), digest_.add(v.y()), digest_.add(v.z());
-  digest_.add(reading.point.range);
-  digest_.add(static_cast<std::uint64_t>(reading.skipped));
+  if (!ordered_) digest(reading);
 }
 
 void ModelRun::give(model::Model& model, const std::vector<Reading>& set) {
@@ -233,6 +240,8 @@ Summary ModelRun::summarise_run(const model::Model& model, const model::ModelRec
   summary.refused += scan_.skipped();
   summary.violations = violations_;
   summary.seconds = seconds_;
+  summary.in_arrival_order = !ordered_;
+  if (ordered_) summary.order_disk_bytes = ordered_->bytes_on_disk();
   summary.axes_guessed = voxel_edge_ > 0;
   summary.interrupted = interrupted_;
   if (!interrupted_) summary.damage = scan_.damage();

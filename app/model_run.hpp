@@ -51,6 +51,7 @@ class ModelRun {
   void read_set(std::vector<Reading>& set);
   /// Counts a point that the model is given, for labels, for the density warning and for checkpoints.
   void count_in(const Reading& reading);
+  void digest(const Reading& reading);
   void give(model::Model& model, const std::vector<Reading>& set);
   void keep_checkpoint(const model::Model& model);
   void judge(const model::ModelRecord& record, const std::string& when);
@@ -72,7 +73,7 @@ class ModelRun {
   // What follows, apart from the times, depends on the points alone.
   survey::Sample sample_;
   RecordLabels records_;  ///< where labels are asked for
-  model::Digest digest_;    ///< of the points given, where checkpoints are kept
+  model::Digest digest_;  ///< of all points of a scan put in order, else of those given; for checkpoints
   std::int64_t given_ = 0;  ///< points handed to the model
   std::int64_t sets_ = 0, violations_ = 0;
   std::int64_t read_ = 0;                            ///< points read of the scan

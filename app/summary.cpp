@@ -90,6 +90,8 @@ std::string to_json(const Summary& s) {
   json["noise_per_range"] = s.noise.per_range;
   json["noise_per_range2"] = s.noise.per_range2;
   json["tolerance"] = s.tolerance;
+  json["order"] = s.in_arrival_order ? "arrival" : "curve";
+  json["order_disk_bytes"] = s.order_disk_bytes;
   json["axes_guessed"] = s.axes_guessed;
   json["interrupted"] = s.interrupted;
   json["damage"] = s.damage;
@@ -122,6 +124,8 @@ std::string to_text(const Summary& s) {
     text << "in no polygon: " << io::grouped(s.loose) << " points loose, " << io::grouped(s.expired)
          << " given up as outliers; " << io::grouped(s.refused) << " records were no point\n";
   }
+  if (s.order_disk_bytes > 0)
+    text << "put in order through " << io::grouped(s.order_disk_bytes / 1'000'000) << " MB of temporary files\n";
   char line[160];
   std::snprintf(
       line, sizeof line, "resolution %.4g, noise %s, tolerance %.4g; %.2f s, %s points/s, %s MB\n",

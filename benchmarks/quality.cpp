@@ -5,7 +5,7 @@
 //     limpet_quality --shapes cube,L,MESH.off --points 10000,100000 --noise 0,0.002,0.005 --orders
 //     raster,shuffled
 //                    --outliers 0,0.01 --seeds 10 [--rules limpet] [--csv FILE] [--audit-every N]
-//                    [--keep DIR]
+//                    [--keep DIR] [--curve]
 //
 // Orders: raster (each viewpoint's rays row by row), shuffled (the same readings in random order) and sampled
 // (evenly over the surface, in random order). λ = max(feature/20, 2.2·√(area/points)); a case counts when λ ≤
@@ -33,6 +33,7 @@
 #include <limpet/simulation/scan.hpp>
 #include <limpet/simulation/scene.hpp>
 #include <limpet/simulation/shapes.hpp>
+#include <limpet/survey/ordered_points.hpp>
 
 #include "scan_case.hpp"
 
@@ -48,6 +49,7 @@ struct Arguments {
   std::size_t set_size = 26;
   std::int64_t audit_every = 0;
   double resolution = 0, tolerance = 0, move = 0, scale = 1;
+  bool curve = false;
   std::string rules = "limpet", csv, keep;
 };
 
@@ -136,6 +138,27 @@ Case make_case(const Arguments& args, const std::string& name, std::int64_t poin
   return c;
 }
 
+/// The points, and their labels with them, in the order in which `limpet model` takes a scan.
+void put_in_order(double resolution, std::vector<model::SensorPoint>& points,
+                  std::vector<simulation::LabelledPoint>& labelled) {
+  std::size_t next = 0;
+  survey::OrderedPoints ordered(
+      [&](survey::Reading& reading) {
+        if (next == points.size()) return false;
+        reading = {points[next++]};
+        return true;
+      },
+      {resolution});
+  std::vector<model::SensorPoint> points_in_order;
+  std::vector<simulation::LabelledPoint> labelled_in_order;
+  for (survey::Reading reading; ordered.next(reading);) {
+    points_in_order.push_back(reading.point);
+    labelled_in_order.push_back(labelled[static_cast<std::size_t>(reading.place)]);
+  }
+  points = std::move(points_in_order);
+  labelled = std::move(labelled_in_order);
+}
+
 Run run(const Arguments& args, const Case& c, int seed) {
   const simulation::Scene& scene = c.scene;
   simulation::ScanOptions options;
@@ -153,6 +176,7 @@ Run run(const Arguments& args, const Case& c, int seed) {
   for (const auto& p : labelled)
     points.push_back({args.scale * p.point.position + shift, p.point.axis, args.scale * p.point.range});
 
+  if (args.curve) put_in_order(args.scale * c.resolution, points, labelled);
   model::Parameters parameters;
   parameters.resolution = args.scale * c.resolution;
   parameters.noise = args.scale * c.noise;
@@ -281,6 +305,7 @@ int main(int argc, char** argv) {
   app.add_option("--seeds", args.seeds);
   app.add_option("--first-seed", args.first_seed);
   app.add_option("--set-size", args.set_size);
+  app.add_flag("--curve", args.curve, "put in order along a curve first, as limpet model does");
   app.add_option("--rules", args.rules);
   app.add_option("--csv", args.csv);
   app.add_option("--keep", args.keep, "folder for the models");

@@ -6,6 +6,7 @@
 
 #include "heights_internal.hpp"
 #include "merging_internal.hpp"
+#include "promotion_internal.hpp"
 
 namespace limpet::model::internal {
 
@@ -144,15 +145,31 @@ void Insertion::insert_one(const RawPoint& raw) {
     complex_.confirm(*initial);
     return labels_.set(raw, initial->id);
   }
+  settle(&create_alone(raw), best);
+}
+
+/// A point segment of this point alone.
+const Segment& Insertion::create_alone(const RawPoint& raw) {
   const Segment& s = complex_.create_point_segment(raw);
   agenda_.note_age(s.id, complex_.now());
   labels_.set(raw, s.id);
-  settle(&s, best);
+  return s;
 }
 
 void Insertion::insert(const RawPoint& raw) {
   insert_one(raw);
   insert_pending();
+}
+
+void Insertion::insert_as_polygon(const std::vector<RawPoint>& points) {
+  const std::uint32_t slot = create_alone(points.front()).slot;
+  for (auto raw = points.begin() + 1; raw != points.end(); ++raw) {
+    const Segment& joining = create_alone(*raw);
+    complex_.absorb(complex_.at(slot), joining, true);
+  }
+  const Segment& s = complex_.at(slot);
+  complex_.set_fit(s, fit_to(s.data.moments(), complex_.setting().step, s.data.axis_sum()), s.next_fit);
+  if (auto part = diamond_part(complex_, s.fit)) promote(complex_, s, std::move(part));
 }
 
 void Insertion::insert_pending() {

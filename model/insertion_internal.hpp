@@ -22,6 +22,9 @@ class Insertion {
   /// are pending because of it.
   void insert(const RawPoint&);
   void insert_pending();
+  /// Makes a polygon of points that are promotable together. Precondition: they are, and are few enough to be
+  /// those of a young segment.
+  void insert_as_polygon(const std::vector<RawPoint>&);
   bool stopped() const { return agenda_.stopped(); }
   PendingPoints& pending() { return pending_; }
   const PendingPoints& pending() const { return pending_; }
@@ -36,6 +39,7 @@ class Insertion {
   using Candidates = std::vector<Candidate>;
 
   void insert_one(const RawPoint&);
+  const Segment& create_alone(const RawPoint&);
   const Segment* initial_under(const Eigen::Vector3d& p, const RawPoint&) const;
   void keep_nearer_crossing(const Segment& initial, const Eigen::Vector3d& p, Candidates& polygons) const;
   void settle(const Segment*, bool polygons_tried);

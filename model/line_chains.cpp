@@ -157,7 +157,8 @@ bool clip(LineWindow& window, const CommonLine& line, const Box3& box) {
   return window.begin < window.end;
 }
 
-std::optional<LineBetween> line_between(const Setting& setting, const PolygonPart& a, const PolygonPart& b) {
+std::optional<LineBetween> line_between(const Setting& setting, const PolygonPart& a, const PolygonPart& b,
+                                        const SharingReach& sharing) {
   const geometry::Plane pa = a.plane(), pb = b.plane();
   if (pa.normal.dot(pb.normal) >= setting.cos_angle) return std::nullopt;
   const Box3 both(a.box.min().cwiseMax(b.box.min()), a.box.max().cwiseMin(b.box.max()));
@@ -165,7 +166,7 @@ std::optional<LineBetween> line_between(const Setting& setting, const PolygonPar
   if (!line) return std::nullopt;
   constexpr double kFar = std::numeric_limits<double>::max() / 4;
   LineWindow window{-kFar, kFar};
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(setting.lambda);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(sharing.at_angle(setting, line->sine));
   for (const PolygonPart* part : {&a, &b})
     if (!clip(window, *line, Box3(part->box.min() - reach, part->box.max() + reach))) return std::nullopt;
   return LineBetween{*line, window};

@@ -63,13 +63,14 @@ struct LineWindow {
 /// Restricts a window to the part of the line inside a box. Returns whether anything is left.
 bool clip(LineWindow&, const CommonLine&, const Box3&);
 
-/// The line where the planes of two polygons meet, and the window in which it is within λ of the boxes of
-/// both. Nothing when the normals differ by less than μ, or there is no such window.
+/// The line where the planes of two polygons meet, and the window in which it is as near to the boxes of both
+/// as a section may be to it (SharingReach::at_angle()). Nothing when the normals differ by less than μ, or there is no such window.
 struct LineBetween {
   CommonLine line;
   LineWindow window;
 };
-std::optional<LineBetween> line_between(const Setting&, const PolygonPart& a, const PolygonPart& b);
+std::optional<LineBetween> line_between(const Setting&, const PolygonPart& a, const PolygonPart& b,
+                                        const SharingReach& = {});
 
 /// All chains of `a` along its line with `b` that reach into the window, each in the direction of the
 /// perimeter of `a`.

@@ -117,14 +117,14 @@ class Explanation {
 
   Refusal beside(const PolygonPart& part, const PolygonPart& other, const Eigen::Vector3d& p) const {
     if (part.plane().normal.dot(other.plane().normal) >= complex_.setting().cos_angle) return Refusal::angle;
-    const auto between = line_between(complex_.setting(), part, other);
+    const auto between = line_between(complex_.setting(), part, other, reach_);
     if (!between) return Refusal::line_far;
     const Eigen::Vector3d foot = between->line.at(between->line.place_of(p));
     return (p - foot).norm() < reach() ? Refusal::nothing_opposite : Refusal::line_far;
   }
 
   void look_along_line(const Segment& a, const Segment& b) {
-    const auto between = line_between(complex_.setting(), *a.polygon, *b.polygon);
+    const auto between = line_between(complex_.setting(), *a.polygon, *b.polygon, reach_);
     if (!between) return;
     const auto chains = chains_of_both(complex_, a, b, between->line, between->window, reach_);
     if (!chains) return;

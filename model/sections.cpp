@@ -117,7 +117,7 @@ bool gives_way(const Complex& complex, const Side& side, const Section& section)
     bay.outline.emplace_back(last.place, 0);
     bay.limits.push_back({{last.place, 0}, {-1, 0}});
     const double steps2 = area / (setting.step * setting.step);
-    const bool bay_goes = highest <= 0 || (highest < side.reach && all_felt) ||
+    const bool bay_goes = highest <= 0 || (highest < lambda && all_felt) ||
                           (highest < deepest && chance_explains(complex, *side.segment, bay)),
                spur_goes = lowest > -side.reach || is_spur(setting, -steps2, -lowest / setting.step);
     area = highest = lowest = 0;

@@ -109,7 +109,7 @@ bool share_pair(Complex& complex, Agenda& agenda, const Segment& a, const Segmen
                 const DirtyRegion& places) {
   if (agenda.in_disorder(a.id, b.id) || cannot_share(complex, a, b)) return false;
   const Setting& setting = complex.setting();
-  const auto line = line_between(setting, *a.polygon, *b.polygon);
+  const auto line = line_between(setting, *a.polygon, *b.polygon, agenda.sharing);
   if (!line) return false;
   int count = 0;
   bool attempted = false, disordered = false;

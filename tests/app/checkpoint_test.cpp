@@ -156,7 +156,7 @@ TEST_F(Checkpoints, MakeNoDifferenceToARunThatIsNotStopped) {
 
 TEST_F(Checkpoints, AreWrittenOnASignalAtTheLastWholeSet) {
   const std::string scan_file = scan("s.xyz", "cube", 20'000), whole = read(scan_file);
-  const Words given{"--resolution", "0.05", "--noise", "0", "--set-size", "300"};
+  const Words given{"--resolution", "0.05", "--noise", "0", "--set-size", "300", "--order", "arrival"};
   ASSERT_EQ(run(command("-", "whole", given), {"", {}, scan_file}).code, 0);
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
   const Words words = resumed("-", "again", given);
@@ -205,6 +205,7 @@ TEST_F(Checkpoints, OfOtherOptionsAreRefused) {
                                                         {"--tolerance", "0.1"},
                                                         {"--angle", "5"},
                                                         {"--set-size", "27"},
+                                                        {"--order", "arrival"},
                                                         {"--rules", "-near"},
                                                         {"--redundancy", "1,0.5"},
                                                         {"--check-every", "9"},

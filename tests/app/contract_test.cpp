@@ -50,7 +50,9 @@ TEST_F(Contract, SummaryHasItsKeys) {
                                 "peak_memory_bytes",
                                 "violations",
                                 "resolution",
-                                "noise"}) {
+                                "noise",
+                                "order",
+                                "order_disk_bytes"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(json["violations"], 0);

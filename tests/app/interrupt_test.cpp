@@ -47,7 +47,7 @@ TEST_F(Interrupt, WritesWhatThereIs) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     for (const bool named : {false, true}) {
       const pid_t child = start({"model", named ? path("pipe") : "-", "-o", path("m.limpet"), "--resolution",
-                                 "0.1", "--noise", "0", "--json", path("s.json")},
+                                 "0.1", "--noise", "0", "--order", "arrival", "--json", path("s.json")},
                                 {"", {}, named ? "" : path("pipe")});
       std::ofstream pipe(path("pipe"), std::ios::binary);
       pipe << read(scan_file) << "0.25 0.5" << std::flush;  // the last line is not whole
@@ -62,6 +62,23 @@ TEST_F(Interrupt, WritesWhatThereIs) {
       EXPECT_EQ(json["interrupted"], true);
       EXPECT_EQ(run({"check", path("m.limpet")}).code, 0);
     }
+}
+
+/// A scan that is put in order is read to its end before anything is modelled.
+TEST_F(Interrupt, WhileAScanIsPutInOrderWritesNothing) {
+  const std::string scan_file = scan("c.xyz", "cube", 3000);
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const pid_t child =
+      start({"model", path("pipe"), "-o", path("m.limpet"), "--resolution", "0.1", "--noise", "0"});
+  std::ofstream pipe(path("pipe"), std::ios::binary);
+  pipe << read(scan_file) << std::flush;
+  std::this_thread::sleep_for(milliseconds(300));
+  ASSERT_EQ(::kill(child, SIGINT), 0);
+  const auto result = finish_within(child, milliseconds(5000));
+  EXPECT_EQ(result.code, 1) << result.err;
+  EXPECT_EQ(result.error_lines(), 1) << result.err;
+  EXPECT_NE(result.err.find("--order arrival"), std::string::npos) << result.err;
+  EXPECT_FALSE(exists("m.limpet"));
 }
 
 TEST_F(Interrupt, APipeThatNobodyWritesToIsNotWaitedForEver) {
@@ -80,7 +97,7 @@ TEST_F(Interrupt, ASecondSignalEndsAtOnce) {
   // The output is a pipe that nobody reads, so that the end of the run takes for ever.
   ASSERT_EQ(::mkfifo(path("labels").c_str(), 0600), 0);
   const pid_t child = start({"model", "-", "-o", path("m.limpet"), "--resolution", "0.1", "--noise", "0",
-                             "--labels", path("labels")},
+                             "--order", "arrival", "--labels", path("labels")},
                             {"", {}, path("pipe")});
   std::ofstream pipe(path("pipe"), std::ios::binary);
   pipe << read(scan("c.xyz", "cube", 3000)) << std::flush;
