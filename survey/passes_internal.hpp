@@ -34,7 +34,7 @@ class Passes {
  private:
   /// The readings of a cell that come in the first pass; as many come in the second, twice as many in each
   /// one after.
-  static constexpr std::uint64_t kFirst = 8;
+  static constexpr std::uint64_t kFirst = 12;
 
   std::uint64_t cell_ = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t before_ = 0;  ///< readings of the cell that came before

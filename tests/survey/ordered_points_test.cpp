@@ -96,7 +96,7 @@ TEST(OrderedPoints, ComeInTheSameOrderHoweverMuchMemoryThereIs) {
   }
 }
 
-/// No cell has its second eight readings before every cell has its first eight, nor its third and fourth
+/// No cell has its second twelve readings before every cell has its first twelve, nor its third and fourth
 /// before every cell has its second, and so on; and each pass goes once along the curve.
 TEST(OrderedPoints, GoRoundAllCellsBeforeAnyIsFull) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -110,9 +110,9 @@ TEST(OrderedPoints, GoRoundAllCellsBeforeAnyIsFull) {
     std::uint64_t last = 0;
     for (const Reading& reading : all_of(ordered(scan, {.cell = cell}))) {
       const std::uint64_t at = curve.place(reading.point.position);
-      const std::int64_t eights = seen[at]++ / 8;
+      const std::int64_t twelves = seen[at]++ / 12;
       std::int64_t due = 0;
-      while (eights >> due > 0) ++due;
+      while (twelves >> due > 0) ++due;
       ASSERT_GE(due, pass) << "a reading of an earlier pass";
       if (due > pass) pass = due, last = 0;
       ASSERT_GE(at, last) << "back along the curve within a pass";
