@@ -36,9 +36,10 @@ void add_initial(model::Model& model, const std::string& mesh) {
 }  // namespace
 
 int say_nothing_is_written() {
-  std::fprintf(stderr,
-               "limpet: interrupted before the first set; nothing is written (with --order arrival points are "
-               "modelled as they come)\n");
+  std::fprintf(
+      stderr,
+      "limpet: interrupted before the first set; nothing is written (with --order arrival points are "
+      "modelled as they come)\n");
   return kFallsShort;
 }
 

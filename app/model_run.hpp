@@ -7,8 +7,8 @@
 #include <limpet/app/checkpoint_keeper.hpp>
 #include <limpet/app/commands.hpp>
 #include <limpet/app/outputs.hpp>
-#include <limpet/app/scan_choices.hpp>
 #include <limpet/app/record_labels.hpp>
+#include <limpet/app/scan_choices.hpp>
 #include <limpet/app/stages.hpp>
 #include <limpet/app/summary.hpp>
 #include <limpet/model/digest.hpp>
@@ -72,17 +72,17 @@ class ModelRun {
   Stages stages_;
   // What follows, apart from the times, depends on the points alone.
   survey::Sample sample_;
-  RecordLabels records_;  ///< where labels are asked for
-  model::Digest digest_;  ///< of all points of a scan put in order, else of those given; for checkpoints
+  RecordLabels records_;    ///< where labels are asked for
+  model::Digest digest_;    ///< of all points of a scan put in order, else of those given; for checkpoints
   std::int64_t given_ = 0;  ///< points handed to the model
   std::int64_t sets_ = 0, violations_ = 0;
-  std::int64_t read_ = 0;                            ///< points read of the scan
-  std::optional<survey::OrderedPoints> ordered_;     ///< of the scan, unless it is modelled as it arrives
-  std::vector<model::SensorPoint> points_;           ///< scratch of give()
-  std::int64_t total_ = -1;                 ///< points of the scan; -1: not known
-  double voxel_edge_ = 0;                   ///< by which the scan was oriented; 0: it says its axes
-  Clock::time_point start_;                 ///< of reading and modelling
-  double before_ = 0;                       ///< seconds spent before the checkpoint
+  std::int64_t read_ = 0;                         ///< points read of the scan
+  std::optional<survey::OrderedPoints> ordered_;  ///< of the scan, unless it is modelled as it arrives
+  std::vector<model::SensorPoint> points_;        ///< scratch of give()
+  std::int64_t total_ = -1;                       ///< points of the scan; -1: not known
+  double voxel_edge_ = 0;                         ///< by which the scan was oriented; 0: it says its axes
+  Clock::time_point start_;                       ///< of reading and modelling
+  double before_ = 0;                             ///< seconds spent before the checkpoint
   double apart_ = 0;  ///< seconds since `start_` that do not count: spent on the oracle and on checkpoints
   double seconds_ = 0;
   bool interrupted_ = false;

@@ -28,7 +28,7 @@ class RecordLabels {
   std::string lines(std::int64_t points, const std::vector<model::SegmentId>& labels) const;
 
  private:
-  std::vector<std::int64_t> places_;               ///< of the points, in the order of add()
+  std::vector<std::int64_t> places_;              ///< of the points, in the order of add()
   std::map<std::int64_t, std::int64_t> skipped_;  ///< records by the place of the point behind them
 };
 

@@ -125,7 +125,8 @@ std::string to_text(const Summary& s) {
          << " given up as outliers; " << io::grouped(s.refused) << " records were no point\n";
   }
   if (s.order_disk_bytes > 0)
-    text << "put in order through " << io::grouped(s.order_disk_bytes / 1'000'000) << " MB of temporary files\n";
+    text << "put in order through " << io::grouped(s.order_disk_bytes / 1'000'000)
+         << " MB of temporary files\n";
   char line[160];
   std::snprintf(
       line, sizeof line, "resolution %.4g, noise %s, tolerance %.4g; %.2f s, %s points/s, %s MB\n",

@@ -38,7 +38,7 @@ struct Summary {
   survey::NoiseLaw noise;
   bool in_arrival_order = true;
   std::int64_t order_disk_bytes = 0;  ///< written to put the scan in order
-  bool axes_guessed = false;  ///< the scan says no axes: they were found by neighbour consistency
+  bool axes_guessed = false;          ///< the scan says no axes: they were found by neighbour consistency
   bool interrupted = false;
   std::string damage;  ///< of the scan, after the last point
 

@@ -81,7 +81,8 @@ double least_sine(const Ring& ring) {
 /// Sets the part's corner, and checks the conditions on its distances and directions (thesis §2.7).
 Refusal fit_corner(const Complex& complex, const Ring& ring, RingPart& part, const SharingReach& reach) {
   const PolygonPart& polygon = *part.segment->polygon;
-  const double lambda2 = complex.setting().lambda2, distance = reach.at_angle(complex.setting(), least_sine(ring)),
+  const double lambda2 = complex.setting().lambda2,
+               distance = reach.at_angle(complex.setting(), least_sine(ring)),
                distance2 = distance * distance;
   const auto corner = place_of_corner(complex, ring, part);
   if (!corner) return Refusal::corner_far;

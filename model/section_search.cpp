@@ -97,8 +97,10 @@ bool SectionSearch::goes_on_beyond(double begin, double end) const {
 bool SectionSearch::form(const LineChain& p, const LineChain& q) {
   // turned() has made places increase along the direction of L, and offsets positive on the inside.
   const Eigen::Vector3d along = sign_ * line_.along;
-  p_ = {&a_, &p, false, at_angle_, line_.origin, along, sign_ * a_.polygon->plane().normal.cross(line_.along)};
-  q_ = {&b_, &q, true, at_angle_, line_.origin, along, -sign_ * b_.polygon->plane().normal.cross(line_.along)};
+  p_ = {
+      &a_, &p, false, at_angle_, line_.origin, along, sign_ * a_.polygon->plane().normal.cross(line_.along)};
+  q_ = {
+      &b_, &q, true, at_angle_, line_.origin, along, -sign_ * b_.polygon->plane().normal.cross(line_.along)};
   const auto [low_p, high_p] = range(p);
   const auto [low_q, high_q] = range(q);
   const double low = std::max(low_p, low_q), high = std::min(high_p, high_q);

@@ -32,7 +32,8 @@ class Parting {
     complex.polygons().query(box, found);
     for (const std::uint32_t slot : found) {
       const Segment& other = complex.at(slot);
-      if (&other != &s && !other.initial() && other.fit.normal.dot(s.fit.normal) < complex.setting().cos_angle)
+      if (&other != &s && !other.initial() &&
+          other.fit.normal.dot(s.fit.normal) < complex.setting().cos_angle)
         compare_with(other);
     }
     heights_over(s.fit);

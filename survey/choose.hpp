@@ -16,8 +16,9 @@
 ///     const survey::Choice choice = survey::choose(points);
 ///     if (!points.has_axes()) points.orient(choice.voxel_edge);
 ///     model::Model model(choice.parameters);
+///     survey::OrderedPoints ordered(points, {.cell = choice.parameters.resolution});
 ///     std::vector<model::SensorPoint> set;
-///     while (points.next_set(set)) model.update(set);
+///     while (ordered.next_set(set)) model.update(set);
 ///     model.finish();
 ///
 /// That is what `limpet model` does, too, and gives the same model to the last bit.

@@ -1,8 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/survey/curve.hpp>
+#include <limpet/survey/key_sort_internal.hpp>
 #include <limpet/survey/ordered_points.hpp>
 #include <limpet/survey/passes_internal.hpp>
-#include <limpet/survey/key_sort_internal.hpp>
 #include <limpet/survey/run_merger_internal.hpp>
 
 #include <algorithm>
@@ -45,8 +45,10 @@ class OrderedPoints::Sorter {
       run_.push_back(reading);
     }
     if (ordering_.stop && ordering_.stop()) return forget();
-    if (runs_) write_run();
-    else sort_passes();
+    if (runs_)
+      write_run();
+    else
+      sort_passes();
   }
   void forget() {
     run_.clear();
@@ -102,10 +104,10 @@ class OrderedPoints::Sorter {
   Ordering ordering_;
   std::optional<Curve> curve_;
   std::deque<Reading> run_;
-  std::int64_t before_run_ = 0;  ///< readings in earlier runs
+  std::int64_t before_run_ = 0;    ///< readings in earlier runs
   std::optional<RunMerger> runs_;  ///< of a scan that does not fit into memory
-  std::vector<SortKey> order_;  ///< in which the run is handed out
-  std::size_t next_ = 0;        ///< of these
+  std::vector<SortKey> order_;     ///< in which the run is handed out
+  std::size_t next_ = 0;           ///< of these
 };
 
 OrderedPoints::OrderedPoints(Source source, Ordering ordering)

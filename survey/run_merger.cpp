@@ -55,8 +55,7 @@ bool RunMerger::next_merged(StoredReading& reading) {
 }
 
 void RunMerger::put_off(const StoredReading& reading, std::size_t pass) {
-  while (put_off_.size() <= pass)
-    put_off_.push_back(put_off_.empty() ? nullptr : std::make_unique<File>());
+  while (put_off_.size() <= pass) put_off_.push_back(put_off_.empty() ? nullptr : std::make_unique<File>());
   put_off_[pass]->append(reading);
 }
 

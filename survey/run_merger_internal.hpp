@@ -47,12 +47,12 @@ class RunMerger {
   void end_merge();
 
   std::unique_ptr<File> sorted_ = std::make_unique<File>();  ///< all runs, one behind the other
-  std::vector<std::int64_t> ends_;                            ///< of the runs, records
-  std::vector<Run> heap_;                                     ///< runs that have a reading left
+  std::vector<std::int64_t> ends_;                           ///< of the runs, records
+  std::vector<Run> heap_;                                    ///< runs that have a reading left
   bool merging_ = false;
   Passes passes_;
-  std::vector<std::unique_ptr<File>> put_off_;  ///< by pass; the first has none
-  std::size_t pass_ = 0;                        ///< that is handed out
+  std::vector<std::unique_ptr<File>> put_off_;           ///< by pass; the first has none
+  std::size_t pass_ = 0;                                 ///< that is handed out
   std::unique_ptr<RecordCursor<StoredReading>> cursor_;  ///< over the file of this pass
   std::int64_t bytes_ = 0;
 };

@@ -10,7 +10,8 @@ namespace limpet::survey {
 struct StoredPoint {
   StoredPoint() = default;
   explicit StoredPoint(const model::SensorPoint& p)
-      : numbers{p.position.x(), p.position.y(), p.position.z(), p.axis.x(), p.axis.y(), p.axis.z(), p.range} {}
+      : numbers{p.position.x(), p.position.y(), p.position.z(), p.axis.x(), p.axis.y(), p.axis.z(), p.range} {
+  }
   model::SensorPoint restored() const {
     const auto& n = numbers;
     return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6]};

@@ -6,6 +6,7 @@
 #include <limpet/io/mesh_writer.hpp>
 #include <limpet/model/model.hpp>
 #include <limpet/survey/choose.hpp>
+#include <limpet/survey/ordered_points.hpp>
 #include <vector>
 
 int main(int argc, char** argv) try {
@@ -14,8 +15,9 @@ int main(int argc, char** argv) try {
   const auto choice = limpet::survey::choose(points);        // resolution, noise and tolerance, by the scan
   if (!points.has_axes()) points.orient(choice.voxel_edge);  // no normals: which side was it sensed from?
   limpet::model::Model model(choice.parameters);
+  limpet::survey::OrderedPoints ordered(points, {.cell = choice.parameters.resolution});  // along a curve
   std::vector<limpet::model::SensorPoint> set;
-  while (points.next_set(set)) model.update(set);  // the model is there after every set
+  while (ordered.next_set(set)) model.update(set);  // the model is there after every set
   model.finish();
   limpet::io::save_model(argv[2], model.record());
   std::cout << limpet::survey::explanation(choice) << model.counts().polygons << " polygons\n";

@@ -17,8 +17,19 @@ using Words = std::vector<std::string>;
 class Order : public testing::ProgramTest {
  protected:
   Words model(const std::string& scan, const std::string& name, const Words& more = {}) const {
-    Words words{"model", scan,       "-q",     "-o",       path(name + ".limpet"), "--labels", path(name + ".txt"),
-                "--json", path(name + ".json"), "--resolution", "0.05", "--noise", "0.001"};
+    Words words{"model",
+                scan,
+                "-q",
+                "-o",
+                path(name + ".limpet"),
+                "--labels",
+                path(name + ".txt"),
+                "--json",
+                path(name + ".json"),
+                "--resolution",
+                "0.05",
+                "--noise",
+                "0.001"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -52,8 +63,9 @@ TEST_F(Order, LabelsAreInTheOrderOfTheScan) {
       ASSERT_TRUE(label == 0 || !std::isnan(at[0])) << "record " << count;
       if (label == 0) continue;
       ++in_polygons;
-      auto& box = extent.try_emplace(label, std::array{std::pair{at[0], at[0]}, std::pair{at[1], at[1]},
-                                                       std::pair{at[2], at[2]}})
+      auto& box = extent
+                      .try_emplace(label, std::array{std::pair{at[0], at[0]}, std::pair{at[1], at[1]},
+                                                     std::pair{at[2], at[2]}})
                       .first->second;
       for (std::size_t i = 0; i < 3; ++i)
         box[i] = {std::min(box[i].first, at[i]), std::max(box[i].second, at[i])};
