@@ -108,14 +108,16 @@ bool gives_way(const Complex& complex, const Side& side, const Section& section)
   bay.limits.push_back({{0, 0}, {0, 1}});
   double area = 0, highest = section.begin.offset, lowest = section.begin.offset;
   Station last = section.begin;
+  // A section that ends amid a bay adds a piece of it; the next one would add the rest, so that the piece is
+  // no limit.
   const auto begin_at = [&](const Station& s) {
     bay.outline.assign({{s.place, 0}, {s.place, s.offset}});
     bay.limits.resize(1);
-    bay.limits.push_back({{s.place, 0}, {1, 0}});
+    if (s.offset < near) bay.limits.push_back({{s.place, 0}, {1, 0}});
   };
   const auto ends = [&] {
     bay.outline.emplace_back(last.place, 0);
-    bay.limits.push_back({{last.place, 0}, {-1, 0}});
+    if (last.offset < near) bay.limits.push_back({{last.place, 0}, {-1, 0}});
     const double steps2 = area / (setting.step * setting.step);
     const bool bay_goes = highest <= 0 || (highest < lambda && all_felt) ||
                           (highest < deepest && chance_explains(complex, *side.segment, bay)),
