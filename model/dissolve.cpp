@@ -8,7 +8,6 @@
 #include "dissolve_internal.hpp"
 #include "promotion_internal.hpp"
 #include "standing_internal.hpp"
-#include "strays_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
@@ -170,10 +169,7 @@ bool dissolve_young(Complex& complex, Agenda& agenda, Insertion& insertion) {
     const Segment* s = complex.find(id, slot);
     if (!s) continue;
     const bool slow = came_too_slowly(complex, *s, kYoung * 3 / 4);
-    if (!slow && !misfits.mostly_fits_neighbours(*s)) {
-      if (s->polygon && s->count() >= kYoung * 3 / 4 && release_strays_of(complex, insertion, *s)) any = true;
-      continue;
-    }
+    if (!slow && !misfits.mostly_fits_neighbours(*s)) continue;
     release_points(complex, insertion.pending(), *s, !slow);
     any = true;
   }

@@ -67,16 +67,6 @@ std::pair<const Segment*, Standing> best_for(const Complex& complex, const Segme
   return best;
 }
 
-/// Do other polygons take at least half of its points, as far as these are still kept?
-bool fits_others(const Complex& complex, const Segment& s) {
-  const auto& raw = s.data.raw();
-  const auto taken = std::count_if(raw.begin(), raw.end(), [&](const RawPoint& point) {
-    return best_for(complex, &s, complex.setting().world(point.at), point.axis, Moments(point.at), point.variance)
-               .first != nullptr;
-  });
-  return 2 * taken >= static_cast<std::ptrdiff_t>(raw.size());
-}
-
 }  // namespace
 
 std::int64_t delete_segment(Complex& complex, Agenda& agenda, Labels& labels, const Segment& s) {
@@ -119,7 +109,7 @@ bool delete_redundant(Complex& complex, Agenda& agenda, Labels& labels, Counts& 
   bool any = false;
   for (std::size_t i = 0; i < ids.size() && !agenda.stopped(); ++i) {
     const Segment* s = complex.find(ids[i]);
-    if (!s || !s->polygon || !s->polygon->shared.empty() || (i >= by_count && !(lies_on_others(complex, *s) && fits_others(complex, *s))))
+    if (!s || !s->polygon || !s->polygon->shared.empty() || (i >= by_count && !lies_on_others(complex, *s)))
       continue;
     ++(i < by_count ? counts.redundant_by_count : counts.redundant_by_position);
     counts.expired += delete_segment(complex, agenda, labels, *s);

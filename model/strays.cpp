@@ -17,7 +17,9 @@
 namespace limpet::model::internal {
 namespace {
 
-constexpr int kMaxRounds = 8;
+constexpr int kMaxRounds = 8;  ///< of one parting
+/// Over all young polygons: what one of them gives back may be another's stray.
+constexpr int kMaxTurns = 3;
 constexpr std::ptrdiff_t kFewestStrays = 2;
 constexpr double kStrayGain = 16;  ///< variances
 
@@ -113,26 +115,19 @@ class Parting {
   Fit own_fit_;
 };
 
-}  // namespace
-
-bool release_strays_of(Complex& complex, Insertion& insertion, const Segment& s) {
-  const auto& raw = s.data.raw();
-  if (!complex.rules().strays || s.initial() ||
-      std::any_of(raw.begin(), raw.end(), [](const RawPoint& r) { return r.returned >= kMaxReturns; }))
-    return false;
+bool part_from_strays(Complex& complex, Insertion& insertion, const Segment& s) {
   Parting parting(complex, s);
   if (!parting.find()) return false;
-  std::vector<RawPoint> own = parting.own(), strays = parting.strays();
+  const std::vector<RawPoint> own = parting.own(), strays = parting.strays();
   complex.remove(s);
-  for (auto* points : {&own, &strays})
-    for (RawPoint& point : *points) ++point.returned;
   insertion.insert_as_polygon(own);
   for (const RawPoint& stray : strays) insertion.pending().push_back(stray);
+  insertion.insert_pending();
   return true;
 }
 
-bool release_strays(Complex& complex, Insertion& insertion) {
-  if (!complex.rules().strays) return false;
+/// Returns whether there were any.
+bool part_all_once(Complex& complex, Insertion& insertion) {
   Turn young;
   complex.segments().for_each([&](const Segment& s) {
     if (s.polygon && s.young() && !s.initial()) young.emplace_back(s.id, s.slot);
@@ -140,14 +135,19 @@ bool release_strays(Complex& complex, Insertion& insertion) {
   std::sort(young.begin(), young.end());
   bool any = false;
   for (const auto& [id, slot] : young) {
-    if (insertion.stopped()) break;
-    const Segment* s = complex.find(id, slot);
-    if (!s || !s->young()) continue;
-    if (!release_strays_of(complex, insertion, *s)) continue;
-    insertion.insert_pending();
-    any = true;
+    if (insertion.stopped()) return false;
+    if (const Segment* s = complex.find(id, slot); s && s->young())
+      any |= part_from_strays(complex, insertion, *s);
   }
   return any;
+}
+
+}  // namespace
+
+void part_from_strays(Complex& complex, Insertion& insertion) {
+  if (!complex.rules().strays) return;
+  for (int turn = 0; turn < kMaxTurns && part_all_once(complex, insertion); ++turn) {
+  }
 }
 
 }  // namespace limpet::model::internal

@@ -6,10 +6,8 @@
 
 namespace limpet::model::internal {
 
-/// Dissolves young polygons some of whose points lie in other polygons' planes, which they came to before
-/// those were there and turned their own plane by it (rule `strays`). The strays are inserted first. Returns
-/// whether there were any.
-bool release_strays(Complex&, Insertion&);
-bool release_strays_of(Complex&, Insertion&, const Segment&);
+/// Parts young polygons from those of their points that lie in other polygons' planes, which came to them
+/// before those were there and turned their own plane (rule `strays`).
+void part_from_strays(Complex&, Insertion&);
 
 }  // namespace limpet::model::internal

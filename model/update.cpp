@@ -216,8 +216,7 @@ void finish(Engine& e, const std::function<bool()>& stop) {
     });
     e.complex.allow_returns();  // the model has grown since, so all points may be inserted again
     release_slow_polygons(e.complex, e.insertion);
-    for (int round = 0; round < 3 && release_strays(e.complex, e.insertion); ++round) {
-    }
+    part_from_strays(e.complex, e.insertion);
     release_all_point_segments(e.complex, e.insertion);
     mark_all(e);
     e.agenda.forget_refusals([](const SegmentPair&) { return true; });
