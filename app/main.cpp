@@ -75,14 +75,15 @@ void add_model(CLI::App& root, Command& chosen) {
                 true, [args](double length) { args->tolerance = length; });
   app.add_option("--set-size", args->set_size, "Sensor points in a set (default 26)")
       ->check(CLI::Range(1, 1'000'000));
-  text_option(app, "--order", "ORDER",
-              "In which points are modelled: curve (from neighbour to neighbour: faster, and better; default) or "
-              "arrival (as they come: for streams without an end)",
-              [args](const std::string& text) {
-                if (text != "curve" && text != "arrival")
-                  throw UsageError("--order " + text + ": give curve or arrival");
-                args->in_arrival_order = text == "arrival";
-              });
+  text_option(
+      app, "--order", "ORDER",
+      "In which points are modelled: curve (from neighbour to neighbour: faster, and better; default) or "
+      "arrival (as they come: for streams without an end)",
+      [args](const std::string& text) {
+        if (text != "curve" && text != "arrival")
+          throw UsageError("--order " + text + ": give curve or arrival");
+        args->in_arrival_order = text == "arrival";
+      });
   app.add_option("--order-memory", args->order_memory,
                  "MB of points to be put in order that are held in memory; the rest is on disk (default 256)")
       ->check(CLI::Range(1, 1'000'000));
