@@ -13,13 +13,13 @@ namespace {
 
 using namespace testing;
 
-constexpr double kNoise = 0.006, kSlope = 0.45;
+constexpr double kRidgeNoise = 0.006, kRidgeSlope = 0.45;
 
 /// Two faces of 3 λ by 3 λ that meet in a blunt edge, 24°, of which the strip along the edge comes first.
 Points ridge(std::uint64_t seed) {
   Random random(seed);
-  Points points = plate(random, 100, -0.3, 0, 0.3, 0.3, kNoise);
-  for (auto& p : points) p.position.z() -= kSlope * std::max(0.0, p.position.x());
+  Points points = plate(random, 100, -0.3, 0, 0.3, 0.3, kRidgeNoise);
+  for (auto& p : points) p.position.z() -= kRidgeSlope * std::max(0.0, p.position.x());
   std::stable_partition(points.begin(), points.end(),
                         [](const SensorPoint& p) { return std::abs(p.position.x()) < 0.1; });
   return points;
@@ -29,7 +29,7 @@ Points ridge(std::uint64_t seed) {
 double worst_angle(const ModelRecord& record) {
   double worst = 0;
   for (const auto& polygon : record.polygon_segments) {
-    const Eigen::Vector3d flat(0, 0, 1), steep = Eigen::Vector3d(kSlope, 0, 1).normalized();
+    const Eigen::Vector3d flat(0, 0, 1), steep = Eigen::Vector3d(kRidgeSlope, 0, 1).normalized();
     const Eigen::Vector3d normal =
         (polygon.chart_normal - polygon.height[1] * polygon.chart_u - polygon.height[2] * polygon.chart_v)
             .normalized();
@@ -45,7 +45,7 @@ TEST(Strays, ArePartedFromASmallFace) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     for (const bool with : {true, false}) {
       Parameters parameters = of_resolution(0.1);
-      parameters.noise = kNoise;
+      parameters.noise = kRidgeNoise;
       parameters.tolerance = 0.02;
       if (!with) parameters.rules = Rules::parse("-strays");
       const ModelRecord record = modelled(parameters, ridge(seed)).record();
