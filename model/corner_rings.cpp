@@ -54,7 +54,7 @@ std::optional<RingPart> part_after(const Complex& complex, const Segment& s, Slo
 
 /// May the part give way to its corner although it is farther than λ from both lines? When finishing, it may
 /// if it is a bay that may be a chance gap (rule `voids`), or a spur.
-bool gives_way(const Complex& complex, const RingPart& part) {
+bool gives_way(const Complex& complex, const RingPart& part, double at_angle) {
   const PolygonPart& polygon = *part.segment->polygon;
   std::vector<Point2> outline{part.corner};
   for (const Slot s : part.between) outline.push_back(polygon.perimeter.at(s));
@@ -64,7 +64,8 @@ bool gives_way(const Complex& complex, const RingPart& part) {
     twice_area -= cross(p, q);
     depth = std::max(depth, std::sqrt(squared_length(q)));
   }
-  if (twice_area <= 0) return is_spur(complex.setting(), twice_area / 2, depth);
+  if (twice_area <= 0)
+    return depth * complex.setting().step < at_angle || is_spur(complex.setting(), twice_area / 2, depth);
   Addition bay = addition_on(polygon, outline);  // up to the two shared edges, which will end at the corner
   bay.limits.push_back(limit_along(polygon, polygon.perimeter.at(part.before), part.corner));
   bay.limits.push_back(limit_along(polygon, part.corner, polygon.perimeter.end(part.after)));
@@ -102,7 +103,7 @@ Refusal fit_corner(const Complex& complex, const Ring& ring, RingPart& part, con
   }
   if (!reached) return Refusal::corner_far;
   const bool doubtful = far || (reach.section > 1 && !polygon.all_felt());
-  if (doubtful && !(reach.section > 1 && gives_way(complex, part))) return Refusal::corner_bay;
+  if (doubtful && !(reach.section > 1 && gives_way(complex, part, distance))) return Refusal::corner_bay;
   // e₁ and e₂ keep their directions, and a least length.
   const Point2 u = polygon.perimeter.at(part.before), w = polygon.perimeter.end(part.after);
   const Point2 d1 = polygon.perimeter.end(part.before) - u, d2 = w - polygon.perimeter.at(part.after);
