@@ -132,6 +132,15 @@ class VoidSearch {
   double last_radius_ = std::numeric_limits<double>::infinity();
 };
 
+/// By fixed-point iteration, which converges from any start above 1.
+double solve_for_most_expected(std::int64_t m) {
+  const double twice = 2 * static_cast<double>(std::max<std::int64_t>(m, 1));
+  double a = 10, last = 0;
+  for (int i = 0; i < 30 && a != last; ++i)
+    last = std::exchange(a, natural_log(twice / kDiscsByChance * (1 + a)));
+  return a;
+}
+
 }  // namespace
 
 Addition addition_on(const PolygonPart& part, std::span<const geometry::Point2> outline) {
@@ -150,11 +159,10 @@ Addition::Limit limit_along(const PolygonPart& part, geometry::Point2 from, geom
 }
 
 double most_expected_in_empty_disc(std::int64_t m) {
-  const double twice = 2 * static_cast<double>(std::max<std::int64_t>(m, 1));
-  double a = 10, last = 0;
-  for (int i = 0; i < 30 && a != last; ++i)
-    last = std::exchange(a, natural_log(twice / kDiscsByChance * (1 + a)));
-  return a;
+  // Nearly every call while finishing is for the same number of readings.
+  thread_local std::pair<std::int64_t, double> last_asked{-1, 0};
+  if (last_asked.first != m) last_asked = {m, solve_for_most_expected(m)};
+  return last_asked.second;
 }
 
 bool chance_explains(const Complex& complex, const Segment& s, const Addition& addition) {
