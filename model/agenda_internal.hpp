@@ -30,13 +30,14 @@ struct SharingReach {
   double least = kLeastNeighbours;  ///< λ: shortest edge that makes two segments neighbours
   bool from_shared = false;         ///< sections may also consist of edges that the two share already
 
-  /// How far a perimeter may reach beyond a line of two planes that meet at an angle of this sine, and give way
-  /// to it without more, scan's unit: λ; and at the end of input, as readings within the tolerance of both
-  /// planes go to either of them, farther where they meet at a small angle: two planes of one surface are
-  /// within twice the tolerance of each other.
+  /// How far a perimeter may reach beyond a line of two planes that meet at an angle of this sine, and give
+  /// way to it without more, scan's unit: λ; and at the end of input, as readings within the tolerance of
+  /// both planes go to either of them, farther where they meet at a small angle: two planes of one surface
+  /// are within twice the tolerance of each other.
   double at_angle(const Setting& setting, double sine) const {
     if (section <= 1) return setting.lambda;
-    return std::min(setting.lambda + 2 * setting.parameters.tolerance * (1 / sine - 1), section * setting.lambda);
+    return std::min(setting.lambda + 2 * setting.parameters.tolerance * (1 / sine - 1),
+                    section * setting.lambda);
   }
 };
 

@@ -95,6 +95,19 @@ void Complex::commit_judged(const Transaction& transaction) {
   }
 }
 
+void Complex::keep_ends_in_place(const Transaction& transaction) {
+  std::vector<EdgeId> touched;
+  for (const auto& [slot, edit] : transaction.edits) {
+    const geometry::Polygon& perimeter = at(slot).polygon->perimeter;
+    for (const geometry::Chain& chain : edit.chains) {
+      Slot edge = perimeter.prev(chain.from);
+      for (std::size_t i = 0; i < chain.via.size() + 3; ++i, edge = perimeter.next(edge))
+        if (perimeter.node(edge).shared) touched.push_back(perimeter.node(edge).edge);
+    }
+  }
+  with_ends_apart([&] { note_ends(touched); });
+}
+
 /// Records a committed edit and its consequences. `born`: new edges that are in the edge table already,
 /// because they were shared.
 void Complex::perimeter_changed(Segment& s, std::span<const EdgeId> born) {

@@ -180,6 +180,9 @@ class Complex {
   /// same ends.
   void share_open(geometry::EdgeId, geometry::EdgeId);
   void tell_corner(const Segment& a, const Segment& b, std::span<const geometry::EdgeId> edges);
+  /// Unshares edges whose ends are not in place any more after this transaction: one may have moved the far
+  /// end of an edge that ends at a corner beside its line, so that it does not run on there.
+  void keep_ends_in_place(const Transaction&);
   /// Unsharing (§2.8): both copies become open edges. If the ends of the copies of an adjoining shared edge
   /// no longer coincide because of it, that edge is unshared, too.
   void unshare(geometry::EdgeId);
@@ -216,6 +219,8 @@ class Complex {
   void take_portion(Segment&, const Portion&);
   void make_open(geometry::EdgeId);
   void mark_shared(Segment&, geometry::Slot edge, bool shared);
+  bool runs_on(const Segment&, geometry::Slot corner) const;
+  bool end_in_place(const Segment&, geometry::Slot vertex, const geometry::Plane& across) const;
   bool ends_meet(geometry::EdgeId) const;
   void add_adjoining(geometry::EdgeId, std::vector<geometry::EdgeId>& result) const;
   void unshare_where_ends_part();

@@ -4,6 +4,9 @@
 // every shared edge by identity; coordinates decide only whether two ends still coincide.
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include <limpet/geometry/predicates.hpp>
 
 #include "common_line_internal.hpp"
 #include "complex_internal.hpp"
@@ -66,20 +69,48 @@ void Complex::share_open(EdgeId a, EdgeId b) {
   tell_shared(at(edges_.at(a).segment), at(edges_.at(b).segment), a, b);
 }
 
-/// Do the ends of the two copies of a shared edge coincide (kEndSteps)? Ends at a corner vertex need not.
+/// Do the two edges at a corner vertex run on in one line or nearly so (kRunsOnSine)? Then the corner need
+/// not be on either of their lines.
+bool Complex::runs_on(const Segment& s, Slot corner) const {
+  const auto& perimeter = s.polygon->perimeter;
+  const Slot before = perimeter.prev(corner);
+  const geometry::Point2 from = perimeter.at(corner) - perimeter.at(before),
+                         to = perimeter.end(corner) - perimeter.at(corner);
+  if (dot(from, to) <= 0) return false;
+  const Eigen::Vector3d normal = s.polygon->plane().normal;
+  const auto line = [&](Slot edge) -> Eigen::Vector3d {
+    const EdgePlace& other = edges_.across(perimeter.node(edge).edge);
+    return normal.cross(at(other.segment).polygon->plane().normal).normalized();
+  };
+  return line(before).cross(line(corner)).squaredNorm() < kRunsOnSine * kRunsOnSine;
+}
+
+/// Is the end of a shared edge at this vertex as near to the plane across it as it has to be?
+bool Complex::end_in_place(const Segment& s, Slot vertex, const geometry::Plane& across) const {
+  const double height = std::abs(across.height_of(s.polygon->position(vertex)));
+  if (height <= kEndSteps * setting_.step) return true;
+  return height <= kRunsOnReach * setting_.lambda && is_corner(s, vertex) && runs_on(s, vertex);
+}
+
+/// Do the two copies of a shared edge lie on their line, run opposite to each other, and meet with their ends
+/// (kEndSteps)? Ends at a corner vertex need not meet.
 bool Complex::ends_meet(EdgeId edge) const {
   const EdgePlace &mine = edges_.at(edge), &other = edges_.across(edge);
   if (mine.slot == geometry::kNoSlot || other.slot == geometry::kNoSlot)
     return true;  // it is being put in place or removed
   const Segment &a = at(mine.segment), &b = at(other.segment);
-  const double sine = sine_between(a.polygon->plane(), b.polygon->plane());
-  const double reach = kEndSteps * setting_.step / sine;
+  const geometry::Plane plane_a = a.polygon->plane(), plane_b = b.polygon->plane();
+  const double reach = kEndSteps * setting_.step / sine_between(plane_a, plane_b);
   const auto meet = [&](Slot p, Slot q) {
-    if (is_corner(a, p) || is_corner(b, q)) return true;
-    return (a.polygon->position(p) - b.polygon->position(q)).squaredNorm() <= reach * reach;
+    if (!is_corner(a, p) && !is_corner(b, q) &&
+        (a.polygon->position(p) - b.polygon->position(q)).squaredNorm() > reach * reach)
+      return false;
+    return end_in_place(a, p, plane_b) && end_in_place(b, q, plane_a);
   };
-  return meet(mine.slot, b.polygon->perimeter.next(other.slot)) &&
-         meet(a.polygon->perimeter.next(mine.slot), other.slot);
+  const Slot end_a = a.polygon->perimeter.next(mine.slot), end_b = b.polygon->perimeter.next(other.slot);
+  const Eigen::Vector3d along_a = a.polygon->position(end_a) - a.polygon->position(mine.slot),
+                        along_b = b.polygon->position(end_b) - b.polygon->position(other.slot);
+  return along_a.dot(along_b) < 0 && meet(mine.slot, end_b) && meet(end_a, other.slot);
 }
 
 /// Adds the shared edges directly before and after this one on its perimeter, with which it may have formed a

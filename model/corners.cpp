@@ -2,6 +2,7 @@
 //
 // Step 5 of the update: forming corner vertices (thesis §2.7). Around a ring of segments S₀…Sₙ, n ≥ 2, each
 // of which is a neighbour of the next, the corner is formed on all of them or on none.
+#include <algorithm>
 #include <utility>
 
 #include "corners_internal.hpp"
@@ -24,7 +25,8 @@ bool form(Complex& complex, const Ring& ring, CornerEdits&& corner) {
   }
   complex.commit_judged(transaction);
   complex.tell_corner(*parts[0].segment, *parts[1].segment, edges);
-  return true;
+  complex.keep_ends_in_place(transaction);
+  return std::all_of(edges.begin(), edges.end(), [&](EdgeId edge) { return complex.edges().shared(edge); });
 }
 
 /// Where four planes meet in one place, two opposite ones may share an edge that is shorter than what their

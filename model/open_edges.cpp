@@ -44,15 +44,23 @@ class Onlooker : public SectionUser {
                edit_q = edit_for(pair.side_q, pair.q, pair.begin_q, pair.end_q, {});
     if (pair.side_p.perimeter().judge(edit_p) == geometry::Verdict::valid &&
         pair.side_q.perimeter().judge(edit_q) == geometry::Verdict::valid)
-      stretches_.push_back({pair.p.begin.place, pair.p.end.place, Refusal::none});
+      add({pair.p.begin.place, pair.p.end.place, Refusal::none});
     return Refusal::perimeter;
   }
   void refused(const Side&, const Side&, double begin, double end, Refusal refusal) override {
-    stretches_.push_back({begin, end, refusal});
+    add({begin, end, refusal});
   }
   const std::vector<RefusedStretch>& stretches() const { return stretches_; }
 
  private:
+  /// The longest are tried first, and most of what lies in them fails no later: that says nothing new.
+  void add(const RefusedStretch& r) {
+    const bool known = std::any_of(stretches_.begin(), stretches_.end(), [&](const RefusedStretch& s) {
+      return s.begin <= r.begin && s.end >= r.end && progress(s.refusal) >= progress(r.refusal);
+    });
+    if (!known) stretches_.push_back(r);
+  }
+
   std::vector<RefusedStretch> stretches_;
 };
 

@@ -36,6 +36,12 @@ class PairFormer : public SectionUser {
     transaction.pairs.emplace_back(id_p, id_q);
     if (!complex_.commit(transaction)) return Refusal::perimeter;
     complex_.tell_shared(a_, b_, id_p, id_q);
+    complex_.keep_ends_in_place(transaction);
+    if (!complex_.edges().shared(id_p)) {
+      agenda_.note_disorder(a_.id, b_.id);
+      formed_ = Formed::disordered;
+      return Refusal::none;
+    }
     formed_ = pair.joins || order_stays(complex_, id_p) || keeps_order(id_p) ? Formed::in_order
                                                                              : Formed::disordered;
     return Refusal::none;
