@@ -13,6 +13,10 @@ namespace {
 
 using geometry::Slot;
 
+/// In λ: the least length and the greatest mean width of a sliver across an edge. Of 60 CAD parts scanned at
+/// 36 points per λ², ten had one.
+constexpr double kLeastSliver = 4, kSliverWidth = 0.9;
+
 /// Is a point of a segment with this normal within λ of the other polygon, and do both face about the same
 /// way? By distance alone, the back of a thin plate would be redundant, or a small face of a box, whose
 /// perimeter lies on the faces around it. The normal of a sliver across an edge differs by half of the angle
@@ -28,6 +32,14 @@ bool is_small(const Setting& setting, const PolygonPart& part) {
   const double area = part.perimeter.area() / (setting.gap * setting.gap),
                length = part.box.diagonal().norm() / setting.lambda;
   return area < kYoungArea || area < 1.5 * length;
+}
+
+/// Is the polygon hardly wider than nothing? Then it may be a sliver across an edge, however many points it
+/// has, and although it shares edges with the faces there.
+bool is_thin(const Setting& setting, const PolygonPart& part) {
+  const double area = part.perimeter.area() / (setting.gap * setting.gap),
+               length = part.box.diagonal().norm() / setting.lambda;
+  return length > kLeastSliver && area < kSliverWidth * length;
 }
 
 /// Is a segment redundant by position: is it small, and do all its vertices lie on segments with more points?
@@ -103,14 +115,17 @@ bool delete_redundant(Complex& complex, Agenda& agenda, Labels& labels, Counts& 
   const std::size_t by_count = ids.size();
   if (agenda.finishing && complex.rules().position)
     complex.segments().for_each([&](const Segment& s) {
-      if (s.polygon && s.polygon->shared.empty() && s.count() > 0) ids.push_back(s.id);
+      if (s.polygon && s.count() > 0 && (s.polygon->shared.empty() || is_thin(complex.setting(), *s.polygon)))
+        ids.push_back(s.id);
     });
   std::sort(ids.begin() + static_cast<std::ptrdiff_t>(by_count), ids.end());
   bool any = false;
   for (std::size_t i = 0; i < ids.size() && !agenda.stopped(); ++i) {
     const Segment* s = complex.find(ids[i]);
-    if (!s || !s->polygon || !s->polygon->shared.empty() || (i >= by_count && !lies_on_others(complex, *s)))
-      continue;
+    if (!s || !s->polygon) continue;
+    const bool by_position = i >= by_count;
+    if (!s->polygon->shared.empty() && !(by_position && is_thin(complex.setting(), *s->polygon))) continue;
+    if (by_position && !lies_on_others(complex, *s)) continue;
     ++(i < by_count ? counts.redundant_by_count : counts.redundant_by_position);
     counts.expired += delete_segment(complex, agenda, labels, *s);
     any = true;
