@@ -6,6 +6,8 @@
 #include <optional>
 
 #include <limpet/geometry/chart.hpp>
+#include <limpet/geometry/polygon.hpp>
+#include <limpet/geometry/predicates.hpp>
 
 #include "thresholds_internal.hpp"
 
@@ -48,6 +50,18 @@ inline std::optional<Eigen::Vector3d> common_point(const CommonLine& line, const
   const double slope = plane.normal.dot(line.along);
   if (!(std::abs(slope) > kLeastSine)) return std::nullopt;
   return line.at(-plane.height_of(line.origin) / slope);
+}
+
+/// Do two shared edges of a perimeter, the second behind the first with nothing between them but what a
+/// corner replaces, run on in one line or nearly so (kRunsOnSine)? Then their lines say too little of where
+/// they meet.
+inline bool run_on(const geometry::Polygon& perimeter, geometry::Slot before, geometry::Slot after,
+                   const CommonLine& line_before, const CommonLine& line_after) {
+  const geometry::Point2 from = perimeter.end(before) - perimeter.at(before),
+                         to = perimeter.end(after) - perimeter.at(after);
+  if (dot(from, to) <= 0) return false;  // the two sides of a spike
+  const Eigen::Vector3d turn = line_before.along.cross(line_after.along);
+  return turn.dot(turn) < kRunsOnSine * kRunsOnSine;
 }
 
 }  // namespace limpet::model::internal

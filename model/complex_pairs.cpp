@@ -69,20 +69,16 @@ void Complex::share_open(EdgeId a, EdgeId b) {
   tell_shared(at(edges_.at(a).segment), at(edges_.at(b).segment), a, b);
 }
 
-/// Do the two edges at a corner vertex run on in one line or nearly so (kRunsOnSine)? Then the corner need
-/// not be on either of their lines.
+/// Do the two edges at a corner vertex run on in one line? Then the corner need not be on either of theirs.
 bool Complex::runs_on(const Segment& s, Slot corner) const {
   const auto& perimeter = s.polygon->perimeter;
   const Slot before = perimeter.prev(corner);
-  const geometry::Point2 from = perimeter.at(corner) - perimeter.at(before),
-                         to = perimeter.end(corner) - perimeter.at(corner);
-  if (dot(from, to) <= 0) return false;
-  const Eigen::Vector3d normal = s.polygon->plane().normal;
-  const auto line = [&](Slot edge) -> Eigen::Vector3d {
+  const auto line = [&](Slot edge) {
     const EdgePlace& other = edges_.across(perimeter.node(edge).edge);
-    return normal.cross(at(other.segment).polygon->plane().normal).normalized();
+    return common_line(s.polygon->plane(), at(other.segment).polygon->plane(), s.polygon->position(corner));
   };
-  return line(before).cross(line(corner)).squaredNorm() < kRunsOnSine * kRunsOnSine;
+  const auto first = line(before), second = line(corner);
+  return first && second && run_on(perimeter, before, corner, *first, *second);
 }
 
 /// Is the end of a shared edge at this vertex as near to the plane across it as it has to be?

@@ -37,17 +37,6 @@ Eigen::Vector3d point_of(std::span<const Plane> planes, const Eigen::Vector3d& n
   return point;
 }
 
-/// Do two shared edges of a perimeter, with nothing between them but what a corner replaces, run on in one
-/// line or nearly so?
-bool run_on(const geometry::Polygon& perimeter, Slot before, Slot after, const CommonLine& line_before,
-            const CommonLine& line_after) {
-  const Point2 from = perimeter.end(before) - perimeter.at(before),
-               to = perimeter.end(after) - perimeter.at(after);
-  if (dot(from, to) <= 0) return false;  // the two sides of a spike
-  const Eigen::Vector3d turn = line_before.along.cross(line_after.along);
-  return turn.dot(turn) < kRunsOnSine * kRunsOnSine;
-}
-
 /// The place on the part's plane that is nearest to all planes of the ring. A ring of three has no others.
 std::optional<Eigen::Vector3d> place_by_ring(const Complex& complex, const Ring& ring, const RingPart& part,
                                              const Eigen::Vector3d& near) {

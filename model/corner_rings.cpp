@@ -53,7 +53,8 @@ std::optional<RingPart> part_after(const Complex& complex, const Segment& s, Slo
 }
 
 /// May the part give way to its corner although it is farther than λ from both lines? When finishing, it may
-/// if it is a bay that may be a chance gap (rule `voids`), or a spur.
+/// if it is a bay that may be a chance gap (rule `voids`), a spur, or goes no farther beyond the corner than
+/// `at_angle` (SharingReach), scan's unit.
 bool gives_way(const Complex& complex, const RingPart& part, double at_angle) {
   const PolygonPart& polygon = *part.segment->polygon;
   std::vector<Point2> outline{part.corner};

@@ -18,14 +18,6 @@ Box3 box_of(const Setting& setting, std::span<const RawPoint> points) {
   return box;
 }
 
-bool fits(const Setting& setting, const RawPoint& raw, const Segment& polygon) {
-  const Eigen::Vector3d p = setting.world(raw.at);
-  if (!polygon.indexed.contains(p)) return false;
-  const double h = polygon.fit.height_of(p);
-  return h * h <= residual_limit(setting, polygon, p, raw.variance) &&
-         standing(setting, polygon, p, raw.axis, h * h, raw.variance).near;
-}
-
 /// Does the polygon fit a point of the young segment that lies within λ of a place where the polygon has
 /// changed?
 bool fits_where_changed(const Setting& setting, const Segment& young, const Segment& polygon,

@@ -52,6 +52,14 @@ Standing standing(const Setting& setting, const Segment& s, const Eigen::Vector3
   return result;
 }
 
+bool fits(const Setting& setting, const RawPoint& raw, const Segment& polygon) {
+  const Eigen::Vector3d p = setting.world(raw.at);
+  if (!polygon.indexed.contains(p)) return false;
+  const double h = polygon.fit.height_of(p);
+  return h * h <= residual_limit(setting, polygon, p, raw.variance) &&
+         standing(setting, polygon, p, raw.axis, h * h, raw.variance).near;
+}
+
 bool lies_on_initial(const Setting& setting, const Segment& initial, const Eigen::Vector3d& p,
                      const Eigen::Vector3d& axis, double variance) {
   const double height = initial.fit.height_of(p), height2 = height * height;

@@ -21,6 +21,8 @@ Standing standing(const Setting&, const Segment& polygon, const Eigen::Vector3d&
 /// The largest mean squared residual about the segment's plane with which data of this variance, centred at
 /// p, fits.
 double residual_limit(const Setting&, const Segment& polygon, const Eigen::Vector3d& p, double variance);
+/// Does a point fit a polygon near it?
+bool fits(const Setting&, const RawPoint&, const Segment& polygon);
 /// Does a reading at p (world) with this sensing axis and variance lie on an initial segment? It does when it
 /// was sensed from outside, its projection is not outside the perimeter, and its height is what a mature
 /// polygon's point may have: within the tolerance or three standard deviations, and less than λ.

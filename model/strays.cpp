@@ -9,19 +9,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "dissolve_internal.hpp"
-#include "merging_internal.hpp"
 #include "promotion_internal.hpp"
 #include "standing_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
-
-constexpr int kMaxRounds = 8;  ///< of one parting
-/// Over all young polygons: what one of them gives back may be another's stray.
-constexpr int kMaxTurns = 3;
-constexpr std::ptrdiff_t kFewestStrays = 2;
-constexpr double kStrayGain = 16;  ///< variances
 
 /// Parts the points of a young polygon into its own and strays.
 class Parting {
@@ -48,14 +40,15 @@ class Parting {
     if (std::none_of(nearest_.begin(), nearest_.end(), [](double h2) { return std::isfinite(h2); }))
       return false;
     const double before = misfit();
-    for (int round = 0; round < kMaxRounds && part(); ++round) {
+    for (int round = 0; round < kMaxPartingRounds && part(); ++round) {
       own_sums_ = {};
       for (const RawPoint& raw : own()) own_sums_.add(raw);
       if (own_sums_.moments.count() < kFewestKept) return false;
       own_fit_ = fit_to(own_sums_.moments, complex_.setting().step, own_sums_.axis);
       heights_over(own_fit_);
     }
-    if (std::count(stray_.begin(), stray_.end(), true) < kFewestStrays) return false;
+    const auto strays = static_cast<std::size_t>(std::count(stray_.begin(), stray_.end(), true));
+    if (strays < kFewestStrays) return false;
     if (before - misfit() <= kStrayGain) return false;
     const std::vector<RawPoint> kept = own();
     for (const RawPoint& raw : kept) own_sums_.since += static_cast<double>(raw.since);
@@ -68,13 +61,10 @@ class Parting {
  private:
   /// Notes which points fit another polygon, and how well.
   void compare_with(const Segment& other) {
-    const Setting& setting = complex_.setting();
     for (std::size_t i = 0; i < raw_.size(); ++i) {
-      const Eigen::Vector3d p = setting.world(raw_[i].at);
-      const double height = other.fit.height_of(p), height2 = height * height;
-      if (height2 < nearest_[i] && other.indexed.contains(p) &&
-          standing(setting, other, p, raw_[i].axis, height2, raw_[i].variance).near)
-        nearest_[i] = height2;
+      const double height = other.fit.height_of(complex_.setting().world(raw_[i].at));
+      if (height * height < nearest_[i] && fits(complex_.setting(), raw_[i], other))
+        nearest_[i] = height * height;
     }
   }
   void heights_over(const Fit& fit) {
@@ -146,7 +136,7 @@ bool part_all_once(Complex& complex, Insertion& insertion) {
 
 void part_from_strays(Complex& complex, Insertion& insertion) {
   if (!complex.rules().strays) return;
-  for (int turn = 0; turn < kMaxTurns && part_all_once(complex, insertion); ++turn) {
+  for (int turn = 0; turn < kMaxPartingTurns && part_all_once(complex, insertion); ++turn) {
   }
 }
 

@@ -33,6 +33,11 @@ inline constexpr double kArrivalShare = 30;
 /// Point segments of fewer points than this may expire; five is where promotion begins.
 inline constexpr std::int64_t kFewestKept = 5;
 
+/// Fewest points of a young polygon that are given back, and by how much less they and the others lie off
+/// their planes then, in variances (rule `strays`).
+inline constexpr std::size_t kFewestStrays = 2;
+inline constexpr double kStrayGain = 16;
+
 // Relief (docs/noise.md), measured on nine Kinect images.
 
 /// Fewest points with which the height of a square is taken from the square alone.
@@ -80,6 +85,10 @@ inline constexpr double kSectionReachOn = 2;
 /// Cosine of the largest angle, 60°, between the normals of two segments one of which may lie on the other
 /// (thesis §2.9).
 inline constexpr double kSameWay = 0.5;
+
+/// In λ: the least length and the greatest mean width of a sliver across an edge, which is deleted although
+/// it shares edges with the faces there (rule `position`). Two in sixty CAD parts at 36 points per λ².
+inline constexpr double kLeastSliver = 4, kSliverWidth = 0.9;
 
 // Pinches (rule `pinches`).
 
@@ -138,6 +147,9 @@ inline constexpr std::int64_t kFewestLooks = 4,
                               kPointsPerLook = 4;  ///< looks at pairs in a set
 /// Step 4 and the fit wait until a polygon has grown by one part in this many.
 inline constexpr std::int64_t kGrowthPart = 32;
+/// Rounds in which the strays of one young polygon are found; turns over all of them, as what one gives back
+/// may be another's stray.
+inline constexpr int kMaxPartingRounds = 8, kMaxPartingTurns = 3;
 inline constexpr int kMaxMergeRounds = 50;   ///< of step 2 in one set
 inline constexpr int kMaxFinishRounds = 20;  ///< of steps 2 to 5 for each reach that finish() takes
 

@@ -5,27 +5,24 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <limpet/survey/random.hpp>
 
 namespace limpet::survey {
+
+inline constexpr int kChanceBits = 10;  ///< of a sort key
 
 /// A reading's sort key: the place of its cell on the curve, and below it a few bits by chance, so that the
 /// readings of a cell are not in the rows of a raster. `place` of the reading in the scan.
 inline std::uint64_t sort_key(std::uint64_t cell, std::int64_t place) {
-  std::uint64_t word = static_cast<std::uint64_t>(place);  // mixed by the last step of splitmix64
-  word = (word ^ (word >> 30)) * 0xbf58476d1ce4e5b9u;
-  word = (word ^ (word >> 27)) * 0x94d049bb133111ebu;
-  word = word ^ (word >> 31);
-  return cell << 10 | word >> 54;
+  return cell << kChanceBits | mixed(static_cast<std::uint64_t>(place)) >> (64 - kChanceBits);
 }
 
 /// Tells to which pass over the scan a reading belongs; asked for one after the other in the order of their
 /// keys.
 class Passes {
  public:
-  static constexpr std::size_t kMost = 64;
-
   std::size_t pass_of(std::uint64_t key) {
-    const std::uint64_t cell = key >> 10;
+    const std::uint64_t cell = key >> kChanceBits;
     before_ = cell == cell_ ? before_ + 1 : 0;
     cell_ = cell;
     return static_cast<std::size_t>(std::bit_width(before_ / kFirst));

@@ -6,6 +6,13 @@
 
 namespace limpet::survey {
 
+/// The last step of splitmix64: each bit of the result depends on all of the word.
+inline std::uint64_t mixed(std::uint64_t word) {
+  word = (word ^ (word >> 30)) * 0xbf58476d1ce4e5b9u;
+  word = (word ^ (word >> 27)) * 0x94d049bb133111ebu;
+  return word ^ (word >> 31);
+}
+
 /// A small random generator (xoshiro256**, seeded by splitmix64) whose numbers are the same on every
 /// machine: the standard library's distributions are not, and neither is libm's log, so only + − × ÷ √ are
 /// used.
@@ -14,10 +21,7 @@ class Random {
   explicit Random(std::uint64_t seed) {
     for (std::uint64_t& word : state_) {
       seed += 0x9e3779b97f4a7c15u;
-      std::uint64_t z = seed;
-      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-      z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-      word = z ^ (z >> 31);
+      word = mixed(seed);
     }
   }
 

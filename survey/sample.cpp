@@ -8,13 +8,6 @@
 namespace limpet::survey {
 namespace {
 
-/// The last step of splitmix64: each bit of the result depends on all of the word.
-std::uint64_t mixed(std::uint64_t word) {
-  word = (word ^ (word >> 30)) * 0xbf58476d1ce4e5b9u;
-  word = (word ^ (word >> 27)) * 0x94d049bb133111ebu;
-  return word ^ (word >> 31);
-}
-
 /// Uniform over all of its range, whatever lattice the positions lie on; the same for both zeros.
 std::uint64_t hash(const Eigen::Vector3d& position) {
   std::uint64_t result = 0;
