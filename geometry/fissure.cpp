@@ -89,8 +89,8 @@ bool needs_four(FissureType t) { return t == FissureType::IV || t == FissureType
 
 class Filler {
  public:
-  Filler(Polygon& polygon, double gap, EdgeIds& ids, bool bridge)
-      : polygon_(polygon), gap_(gap), ids_(ids), bridge_(bridge) {}
+  Filler(Polygon& polygon, double gap, EdgeIds& ids, bool bridge, const MayFill& may_fill)
+      : polygon_(polygon), gap_(gap), ids_(ids), bridge_(bridge), may_fill_(may_fill) {}
 
   std::size_t run(std::span<const std::pair<Slot, EdgeId>> fresh) {
     queue_.assign(fresh.begin(), fresh.end());
@@ -127,7 +127,7 @@ class Filler {
     for (const FissureType type : internal::kFissureOrder) {
       if ((needs_four(type) && !narrow) || !possible(type, v)) continue;
       if (const auto filling = internal::find_fissure(type, v, gap_);
-          filling && lies_outside(filling->region(v)) && fill(s, *filling, cycle))
+          filling && may_add(filling->region(v)) && fill(s, *filling, cycle))
         return true;
     }
     return false;
@@ -164,6 +164,10 @@ class Filler {
       edges.push_back({region[i], region[j], i, j});
     }
     return judge_edges(edges) == Verdict::valid && chain_orientation(region) < 0;
+  }
+
+  bool may_add(const std::vector<Point2>& region) const {
+    return lies_outside(region) && (!may_fill_ || may_fill_(region));
   }
 
   bool fill(const std::array<Slot, 4>& s, const Filling& filling, const Polygon::Cycle& cycle) {
@@ -206,6 +210,7 @@ class Filler {
   double gap_;
   EdgeIds& ids_;
   bool bridge_;
+  const MayFill& may_fill_;
   std::vector<std::pair<Slot, EdgeId>> queue_;    ///< the worklist of edges; those examined stay in it
   std::size_t read_ = polygon_.created().size();  ///< of the edges put in place, so many are in the worklist
   std::size_t count_ = 0;
@@ -214,8 +219,8 @@ class Filler {
 }  // namespace
 
 std::size_t fill_fissures(Polygon& polygon, std::span<const std::pair<Slot, EdgeId>> fresh, double gap,
-                          EdgeIds& ids, bool bridge) {
-  return Filler(polygon, gap, ids, bridge).run(fresh);
+                          EdgeIds& ids, bool bridge, const MayFill& may_fill) {
+  return Filler(polygon, gap, ids, bridge, may_fill).run(fresh);
 }
 
 bool collapses(std::vector<Point2> chain, double gap) {

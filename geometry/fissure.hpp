@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include <functional>
 #include <limpet/geometry/polygon.hpp>
 
 namespace limpet::geometry {
@@ -18,9 +19,11 @@ namespace limpet::geometry {
 ///  (3) area is lost only to the rounding of new vertices, at most two steps along the perimeter (the tip of
 ///      a needle less than a step wide may go);
 ///  (4) what is added lies within `gap` of what was there, up to rounding.
-/// A second call may fill more, where the first has opened a line of sight.
+/// A second call may fill more, where the first has opened a line of sight. `may_fill`, where there is one,
+/// is asked of the region that a filling would add, clockwise; what it refuses stays open.
+using MayFill = std::function<bool(std::span<const Point2> region)>;
 std::size_t fill_fissures(Polygon&, std::span<const std::pair<Slot, EdgeId>> fresh, double gap, EdgeIds&,
-                          bool bridge = true);
+                          bool bridge = true, const MayFill& may_fill = {});
 
 /// Does a closed chain collapse, that is, shrink to fewer than three vertices when its fissures are filled
 /// without regard to shared edges and sight (thesis §2.4.3, §2.5)? Greedy: for a chain that only just

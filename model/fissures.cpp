@@ -5,6 +5,7 @@
 
 #include <limpet/geometry/fissure.hpp>
 
+#include "chance_internal.hpp"
 #include "fissures_internal.hpp"
 
 namespace limpet::model::internal {
@@ -17,9 +18,17 @@ bool fill(Complex& complex, Agenda& agenda, const Segment& s) {
   const auto at_fresh_edges = [&](const BoundaryDifference&) {
     return DirtyRegion(where);
   };  // others may be nearer now
+  // After additions the perimeter is not where the readings left it: a gap may be narrow because both of its
+  // sides were added.
+  geometry::MayFill may_fill;
+  if (s.polygon->felt && !s.polygon->all_felt())
+    may_fill = [&](std::span<const geometry::Point2> region) {
+      return chance_explains(complex, s, addition_on(*s.polygon, region));
+    };
   const auto filled = complex.change_perimeter(
       s, true, at_fresh_edges, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
-        return geometry::fill_fissures(perimeter, fresh, complex.setting().gap, ids, complex.rules().holes);
+        return geometry::fill_fissures(perimeter, fresh, complex.setting().gap, ids, complex.rules().holes,
+                                       may_fill);
       });
   return filled > 0;
 }

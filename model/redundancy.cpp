@@ -38,7 +38,8 @@ bool is_thin(const Setting& setting, const PolygonPart& part) {
   return length > kLeastSliver && area < kSliverWidth * length;
 }
 
-/// Is a segment redundant by position: is it small, and do all its vertices lie on segments with more points?
+/// Is a segment redundant by position: is it small, and do all its vertices lie on segments of which each has
+/// more than twice as many points (kLargerPart)?
 bool lies_on_others(const Complex& complex, const Segment& s) {
   const PolygonPart& part = *s.polygon;
   if (!is_small(complex.setting(), part)) return false;
@@ -46,7 +47,8 @@ bool lies_on_others(const Complex& complex, const Segment& s) {
   complex.polygons().query(part.box, found);
   std::vector<const Segment*> others;
   for (const std::uint32_t slot : found)
-    if (const Segment& other = complex.at(slot); other.count() > s.count()) others.push_back(&other);
+    if (const Segment& other = complex.at(slot); other.count() > kLargerPart * s.count())
+      others.push_back(&other);
   bool all = !others.empty();
   for_each_edge(part.perimeter, [&](Slot vertex) {
     all = all && std::any_of(others.begin(), others.end(), [&](const Segment* other) {

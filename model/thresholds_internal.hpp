@@ -86,6 +86,9 @@ inline constexpr double kSectionReachOn = 2;
 /// (thesis §2.9).
 inline constexpr double kSameWay = 0.5;
 
+/// A segment that is redundant by position lies on others with at least so many times its points: of two that
+/// were felt alike neither is (rule `position`).
+inline constexpr std::int64_t kLargerPart = 2;
 /// In λ: the least length and the greatest mean width of a sliver across an edge, which is deleted although
 /// it shares edges with the faces there (rule `position`). Two in sixty CAD parts at 36 points per λ².
 inline constexpr double kLeastSliver = 4, kSliverWidth = 0.9;

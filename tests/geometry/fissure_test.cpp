@@ -157,6 +157,22 @@ TEST(Fill, OnlyWhereEdgesAreFresh) {
   EXPECT_EQ(fill_fissures(p, std::span(&bottom, 1), kFilledGap, ids), 0u);
 }
 
+TEST(Fill, OnlyWhatMayBeFilled) {
+  // Two notches, one on the left and one on the right; the right one may not be filled.
+  const Cycles cycles = plate({{820, 1000}, {800, 500}, {780, 1000}, {220, 1000}, {200, 500}, {180, 1000}});
+  const auto on_the_left = [](std::span<const Point2> region) {
+    EXPECT_LT(chain_orientation(region), 0) << "clockwise";
+    return std::all_of(region.begin(), region.end(), [](Point2 p) { return p.x < 500; });
+  };
+  EdgeIds ids;
+  Polygon p = make(cycles, ids);
+  EXPECT_GT(fill_fissures(p, all_edges(p), kFilledGap, ids, true, on_the_left), 0u);
+  EXPECT_EQ(p.locate({200, 900}), Polygon::Side::inside);
+  EXPECT_EQ(p.locate({800, 900}), Polygon::Side::outside);
+  EXPECT_GT(fill_fissures(p, all_edges(p), kFilledGap, ids), 0u);
+  EXPECT_EQ(p.locate({800, 900}), Polygon::Side::inside);
+}
+
 TEST(Fill, AHoleCollapses) {
   const Filled f = filled({rectangle(0, 0, 1000, 1000), reversed(rectangle(480, 200, 520, 800))});
   EXPECT_GT(f.count, 0u);

@@ -45,6 +45,19 @@ TEST(Redundancy, SegmentsThatLieOnOthersGo) {
   }
 }
 
+/// Of two small plates of nearly as many points that lie half of λ apart, neither is redundant.
+TEST(Redundancy, OfTwoThatWereFeltAlikeNeitherGoes) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Points points = plate(random, 60, 0, 0, 0.2, 0.2, 0.001);
+    Points above = plate(random, 50, 0, 0, 0.2, 0.2, 0.001);
+    for (auto& p : above) p.position.z() += 0.05;
+    points.insert(points.end(), above.begin(), above.end());
+    EXPECT_EQ(model_of(points, "limpet").record().polygon_segments.size(), 2u);
+  }
+}
+
 /// A thin plate has a back: its two sides lie within λ of each other and face away from each other.
 TEST(Redundancy, TheBackOfAThinPlateStays) {
   simulation::ScanOptions options;
