@@ -19,11 +19,13 @@ struct Interrupted {};
 
 simulation::ScanOptions::Order order_of(const std::string& name) {
   using Order = simulation::ScanOptions::Order;
-  static const std::map<std::string, Order> orders = {
-      {"raster", Order::raster}, {"shuffled", Order::shuffled}, {"sampled", Order::sampled}};
+  static const std::map<std::string, Order> orders = {{"raster", Order::raster},
+                                                      {"turning", Order::turning},
+                                                      {"shuffled", Order::shuffled},
+                                                      {"sampled", Order::sampled}};
   const auto found = orders.find(name);
   if (found == orders.end()) {
-    throw UsageError("--order '" + name + "': give raster, shuffled or sampled");
+    throw UsageError("--order '" + name + "': give raster, turning, shuffled or sampled");
   }
   return found->second;
 }
@@ -61,6 +63,7 @@ int run(const ScanArguments& args) {
   io::ScanWriterOptions format;
   format.ascii = args.ascii;
   format.labels = args.faces;
+  format.ranges = args.ranges;
   format.comment = header_of(args);
   const auto writer = io::create_scan(args.scan, format);
   Progress progress("scanning", args.points, args.quiet);

@@ -83,7 +83,8 @@ struct ScanArguments {
   double outliers = 0;         ///< a fraction
   std::uint64_t seed = 1;
   std::vector<Eigen::Vector3d> viewpoints;
-  bool faces = false;  ///< write the true face of each point too
+  bool faces = false;   ///< write the true face of each point too
+  bool ranges = false;  ///< and how far it was from its sensor
   bool ascii = false;
   bool quiet = false;
 };

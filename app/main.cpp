@@ -201,7 +201,7 @@ void add_scan(CLI::App& root, Command& chosen) {
   app.add_option("-o,--output", args->scan, "Where to write the scan: .ply or .xyz")->required();
   app.add_option("--points", args->points, "Points wanted (default 100000)")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
-  app.add_option("--order", args->order, "raster, shuffled or sampled (default raster)");
+  app.add_option("--order", args->order, "raster, turning, shuffled or sampled (default raster)");
   text_option(app, "--noise", "A[,B]", "Standard deviation along the axis: A + B times the range",
               [args](const std::string& text) {
                 const limpet::survey::NoiseLaw noise = parse_noise("--noise", text);
@@ -221,6 +221,7 @@ void add_scan(CLI::App& root, Command& chosen) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_flag("--faces", args->faces, "Write the true face of each point too");
+  app.add_flag("--ranges", args->ranges, "Write how far each point was from its sensor, too");
   app.add_flag("--ascii", args->ascii, "Write text, not binary");
   add_quiet_and_json(app, args->quiet, nullptr);
 }

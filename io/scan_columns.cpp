@@ -74,6 +74,7 @@ ScanColumns::ScanColumns(const std::vector<std::string>& names, const ScanOption
     axis_source_ = has_viewpoint_ ? AxisSource::kViewpoint : AxisSource::kNone;
   } else if (axis_columns("ax", "ay", "az")) {
     axis_source_ = AxisSource::kAxis;
+    column_[kRange] = find(names, "range");
   } else if (axis_columns("nx", "ny", "nz") || axis_columns("normal_x", "normal_y", "normal_z")) {
     axis_source_ = AxisSource::kNormal;
   } else if (options.viewpoint) {
@@ -117,6 +118,9 @@ bool ScanColumns::make(const Row& row, ScanRecord& record) const {
       break;
     case AxisSource::kAxis:
       a = {row[kAxisX], row[kAxisY], row[kAxisZ]};
+      // What is no distance says nothing.
+      if (column_[kRange] >= 0 && row[kRange] > 0 && std::isfinite(row[kRange]))
+        record.point.range = row[kRange];
       break;
     case AxisSource::kNormal:
       a = {0 - row[kAxisX], 0 - row[kAxisY], 0 - row[kAxisZ]};

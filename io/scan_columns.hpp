@@ -13,7 +13,7 @@ namespace limpet::io {
 /// all formats have in common.
 class ScanColumns {
  public:
-  enum Role { kX, kY, kZ, kAxisX, kAxisY, kAxisZ, kLabel, kRoles };
+  enum Role { kX, kY, kZ, kAxisX, kAxisY, kAxisZ, kRange, kLabel, kRoles };
   using Row = std::array<double, kRoles>;
 
   /// Finds the columns by name. Of several that could be the axis or the label, the first in order of

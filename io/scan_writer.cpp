@@ -29,6 +29,8 @@ std::int32_t checked_label(std::int64_t label) {
   return static_cast<std::int32_t>(label);
 }
 
+bool writes_ranges(const ScanWriterOptions& options) { return options.axes && options.ranges; }
+
 void append_line(std::string& text, const ScanRecord& record, const ScanWriterOptions& options) {
   const auto append_vector = [&](const Eigen::Vector3d& v) {
     for (int i = 0; i < 3; ++i) {
@@ -38,6 +40,10 @@ void append_line(std::string& text, const ScanRecord& record, const ScanWriterOp
   };
   append_vector(record.point.position);
   if (options.axes) append_vector(record.point.axis);
+  if (writes_ranges(options)) {
+    append(text, record.point.range);
+    text += ' ';
+  }
   if (options.labels) {
     append(text, static_cast<std::int64_t>(checked_label(record.label)));
     text += ' ';
@@ -57,6 +63,7 @@ class PlyWriter final : public ScanWriter {
     if (options.axes) {
       for (const char* name : {"ax", "ay", "az"}) vertex.properties.push_back({name, NumberType::kDouble});
     }
+    if (writes_ranges(options)) vertex.properties.push_back({"range", NumberType::kDouble});
     if (options.labels) vertex.properties.push_back({"face", NumberType::kInt32});
     const std::string text = ply_header_text(header, kCountDigits);
     // The comment is one line, so that no other line begins like this.
@@ -73,7 +80,7 @@ class PlyWriter final : public ScanWriter {
       file_.write(line_);
       return;
     }
-    char bytes[6 * sizeof(double) + sizeof(std::int32_t)];
+    char bytes[7 * sizeof(double) + sizeof(std::int32_t)];
     char* at = bytes;
     const auto put = [&](const void* from, std::size_t size) {
       std::memcpy(at, from, size);
@@ -81,6 +88,7 @@ class PlyWriter final : public ScanWriter {
     };
     put(record.point.position.data(), 3 * sizeof(double));
     if (options_.axes) put(record.point.axis.data(), 3 * sizeof(double));
+    if (writes_ranges(options_)) put(&record.point.range, sizeof record.point.range);
     if (options_.labels) {
       const std::int32_t label = checked_label(record.label);
       put(&label, sizeof label);
@@ -107,6 +115,7 @@ class XyzWriter final : public ScanWriter {
     if (!options.comment.empty()) file_.write("# " + one_line(options.comment) + "\n");
     std::string names = "# x y z";
     if (options.axes) names += " ax ay az";
+    if (writes_ranges(options)) names += " range";
     if (options.labels) names += " face";
     file_.write(names + "\n");
   }

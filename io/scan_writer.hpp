@@ -10,6 +10,7 @@ namespace limpet::io {
 struct ScanWriterOptions {
   bool ascii = false;   ///< of PLY: text instead of binary little-endian
   bool axes = true;     ///< write ax ay az; a record without an axis gets zeros, which a reader passes over
+  bool ranges = false;  ///< with axes: write how far the sensor was, as `range`; 0: not known
   bool labels = false;  ///< write the label, as `int face`
   std::string comment;  ///< one line for the header; line ends become blanks
 };

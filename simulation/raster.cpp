@@ -10,10 +10,7 @@ namespace limpet::simulation {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Rays tried in one round of looking for a pitch.
-constexpr double kMaxRays = 4e6;
-
-Raster::Raster(const Mesh& mesh, const std::vector<Vector3d>& viewpoints) : caster_(mesh) {
+Raster::Raster(const Mesh& mesh, const std::vector<Vector3d>& viewpoints) : ScanPattern(mesh) {
   const Bounds bounds = bounds_of(mesh);
   for (const Vector3d& viewpoint : viewpoints) {
     if ((viewpoint.array() >= bounds.low.array()).all() && (viewpoint.array() <= bounds.high.array()).all())
@@ -58,7 +55,7 @@ void Raster::look_around(const Vector3d& viewpoint) {
   }
 }
 
-void Raster::sweep(double pitch, const Take& take) const {
+void Raster::send(double pitch, const Send& send) const {
   double phase = 0;  // differs from image to image, so their pixels do not fall on one another
   for (const Image& image : images_) {
     phase += 0.6180339887498949;
@@ -74,37 +71,16 @@ void Raster::sweep(double pitch, const Take& take) const {
         const std::int64_t column = row % 2 == 0 ? step : columns - 1 - step;
         const double x = first.x() + pitch * static_cast<double>(column);
         const double y = first.y() + pitch * static_cast<double>(row);
-        const Vector3d direction = (image.forward + x * image.right + y * image.up).normalized();
-        if (const auto hit = caster_.first_hit(image.viewpoint, direction)) take(*hit, direction);
+        send(image.viewpoint, (image.forward + x * image.right + y * image.up).normalized());
       }
     }
   }
 }
 
-std::int64_t Raster::count(double pitch) const {
-  std::int64_t hits = 0;
-  sweep(pitch, [&hits](const RayCaster::Hit&, const Vector3d&) { ++hits; });
-  return hits;
-}
-
-double Raster::pitch_for(std::int64_t points) const {
-  // Hits go with 1/pitch². Finding the pitch for few points is enough: for many it follows by scaling.
-  const double wanted = static_cast<double>(std::min<std::int64_t>(points, 100'000));
+double Raster::extent() const {
   double area = 0;
   for (const Image& image : images_) area += (image.high - image.low).prod();
-  double pitch = std::sqrt(area / wanted), best = pitch, best_error = std::numeric_limits<double>::max();
-  for (int round = 0; round < 10 && best_error > 0.005; ++round) {
-    const double hits = static_cast<double>(count(pitch));
-    const double error = std::abs(hits / wanted - 1);
-    if (hits > 0 && error < best_error) {
-      best = pitch;
-      best_error = error;
-    }
-    pitch *= std::clamp(std::sqrt(hits / wanted), 0.25, 4.0);
-    if (area / (pitch * pitch) > kMaxRays) break;  // hardly anything of the surface, or nothing, is seen
-  }
-  if (best_error == std::numeric_limits<double>::max()) throw MeshError("no viewpoint sees the surface");
-  return best * std::sqrt(wanted / static_cast<double>(points));
+  return area;
 }
 
 }  // namespace limpet::simulation

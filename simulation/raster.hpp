@@ -1,28 +1,17 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
-#include <Eigen/Core>
-#include <cstdint>
-#include <functional>
-#include <limpet/simulation/mesh.hpp>
-#include <limpet/simulation/ray_caster.hpp>
+#include <limpet/simulation/scan_pattern.hpp>
 #include <vector>
 
 namespace limpet::simulation {
 
-/// Perspective images of a mesh from several viewpoints, all at the same pitch: the distance between
-/// neighbouring pixels in an image plane one unit in front of the viewpoint.
-class Raster {
+/// Perspective images of a mesh from several viewpoints, image by image, row by row, every other row
+/// backwards. The pitch is the distance between neighbouring pixels in an image plane one unit in front of
+/// the viewpoint.
+class Raster : public ScanPattern {
  public:
   Raster(const Mesh& mesh, const std::vector<Eigen::Vector3d>& viewpoints);
-
-  using Take = std::function<void(const RayCaster::Hit&, const Eigen::Vector3d& direction)>;
-
-  /// All hits, image by image, row by row, every other row backwards.
-  void sweep(double pitch, const Take& take) const;
-
-  /// A pitch that gives about so many hits. Throws MeshError if no viewpoint sees the surface.
-  double pitch_for(std::int64_t points) const;
 
  private:
   struct Image {
@@ -32,9 +21,9 @@ class Raster {
 
   void look_at(const Mesh& mesh, const Eigen::Vector3d& viewpoint);
   void look_around(const Eigen::Vector3d& viewpoint);
-  std::int64_t count(double pitch) const;
+  void send(double pitch, const Send&) const override;
+  double extent() const override;
 
-  RayCaster caster_;
   std::vector<Image> images_;
 };
 

@@ -7,6 +7,7 @@
 #include <limpet/simulation/raster.hpp>
 #include <limpet/simulation/scene.hpp>
 #include <limpet/simulation/surface_places.hpp>
+#include <limpet/simulation/turning_scanner.hpp>
 #include <limpet/survey/random.hpp>
 
 namespace limpet::simulation {
@@ -43,14 +44,20 @@ class Sensor {
   Vector3d low_, high_;
 };
 
-void scan_raster(const Mesh& mesh, const ScanOptions& options, const Take& take) {
-  const std::vector<Vector3d> viewpoints =
-      options.viewpoints.empty() ? viewpoints_around(mesh, true) : options.viewpoints;
-  const Raster raster(mesh, viewpoints);
+void sweep(const Mesh& mesh, const ScanPattern& pattern, const ScanOptions& options, const Take& take) {
   Sensor sensor(mesh, options);
-  raster.sweep(raster.pitch_for(options.points), [&](const RayCaster::Hit& hit, const Vector3d& direction) {
+  pattern.sweep(pattern.pitch_for(options.points), [&](const RayCaster::Hit& hit, const Vector3d& direction) {
     take(sensor.read(hit.position, direction, hit.range, hit.face));
   });
+}
+
+void scan_from_viewpoints(const Mesh& mesh, const ScanOptions& options, const Take& take) {
+  const std::vector<Vector3d> viewpoints =
+      options.viewpoints.empty() ? viewpoints_around(mesh, true) : options.viewpoints;
+  if (options.order == Order::turning)
+    sweep(mesh, TurningScanner(mesh, viewpoints), options, take);
+  else
+    sweep(mesh, Raster(mesh, viewpoints), options, take);
 }
 
 /// A unit vector in a cone of 30° about the axis, without trigonometry: a point of the cone's base.
@@ -90,9 +97,9 @@ void scan(const Mesh& mesh, const ScanOptions& options, const Take& take) {
   if (!(options.outliers >= 0 && options.outliers <= 1))
     throw std::invalid_argument("a fraction of outliers is between 0 and 1");
   if (options.order == Order::sampled) return scan_sampled(mesh, options, take);
-  if (options.order == Order::raster) return scan_raster(mesh, options, take);
+  if (options.order != Order::shuffled) return scan_from_viewpoints(mesh, options, take);
   std::vector<LabelledPoint> points;
-  scan_raster(mesh, options, [&points](const LabelledPoint& point) { points.push_back(point); });
+  scan_from_viewpoints(mesh, options, [&points](const LabelledPoint& point) { points.push_back(point); });
   shuffle(points, options.seed);
   for (const LabelledPoint& point : points) take(point);
 }

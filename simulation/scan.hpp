@@ -14,12 +14,12 @@ namespace limpet::simulation {
 struct ScanOptions {
   enum class Order {
     raster,    ///< images from each viewpoint in turn, row by row, every other row backwards
-    shuffled,  ///< the same readings in random order (all are kept in memory)
+    turning,   ///< at equal angles from each viewpoint in turn (TurningScanner)
+    shuffled,  ///< raster's readings in random order (all are kept in memory)
     sampled    ///< uniform over the surface's area, hidden or not, in random order; needs no viewpoint
   };
 
-  std::int64_t points =
-      0;  ///< wanted; exact if sampled, about (within 5 % from 1000 on) if raster or shuffled
+  std::int64_t points = 0;  ///< wanted; exact if sampled, about (within 5 % from 1000 on) if not
   Order order = Order::raster;
   double noise = 0;            ///< standard deviation of a reading along its sensing axis
   double noise_per_range = 0;  ///< added to `noise` times the distance from the viewpoint (not if sampled)
@@ -39,10 +39,10 @@ struct LabelledPoint {
 /// Simulates a scan and hands its readings, one at a time, to `take`.
 ///
 /// Raster: one ray a pixel, at the same angular pitch from every viewpoint; a ray that meets nothing, or a
-/// surface from its back, gives no reading. The sensing axis is the ray's direction. Sampled: the axis is the
-/// face's inward normal tilted at random by up to 30°. Gaussian noise moves a reading along its axis. An
-/// outlier is uniform in the mesh's bounding box grown by 10 % of its size on each side (10 % of its diagonal
-/// where it is flat); its axis is kept.
+/// surface from its back, gives no reading. The sensing axis is the ray's direction. Turning: the same with
+/// rays at equal angles. Sampled: the axis is the face's inward normal tilted at random by up to 30°.
+/// Gaussian noise moves a reading along its axis. An outlier is uniform in the mesh's bounding box grown by
+/// 10 % of its size on each side (10 % of its diagonal where it is flat); its axis is kept.
 ///
 /// The same mesh, options and seed give the same bytes; a shuffled scan is a permutation of the raster scan
 /// with the same options. Memory: none for the readings unless shuffled. Throws std::invalid_argument on

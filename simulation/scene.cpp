@@ -19,13 +19,14 @@ Vector3d viewpoint(const Mesh& mesh, const Vector3d& towards) {
 
 /// Where the aisles between the furniture cross, at several heights: low ones see the sides, high ones the
 /// tops.
-std::vector<Vector3d> viewpoints_in_room() {
+std::vector<Vector3d> viewpoints_in_room(const Mesh& room) {
   const double margin = 0.3125;  // half of the narrowest aisle along a wall
+  const Vector3d size = bounds_of(room).high;
   std::vector<Vector3d> viewpoints;
-  for (int row = 0; row <= kRoomRows; ++row) {
-    for (int column = 0; column <= kRoomColumns; ++column) {
-      const double x = std::clamp(column * kRoomLength / kRoomColumns, margin, kRoomLength - margin);
-      const double y = std::clamp(row * kRoomWidth / kRoomRows, margin, kRoomWidth - margin);
+  for (int row = 0; row * kRoomCell <= size.y(); ++row) {
+    for (int column = 0; column * kRoomCell <= size.x(); ++column) {
+      const double x = std::clamp(column * kRoomCell, margin, size.x() - margin);
+      const double y = std::clamp(row * kRoomCell, margin, size.y() - margin);
       viewpoints.emplace_back(x + 0.013, y - 0.017, (row + column) % 2 == 0 ? 0.61 : 1.57);
       if (row % 2 == 1 && column % 2 == 1) viewpoints.emplace_back(x + 0.019, y - 0.011, 2.63);
     }
@@ -74,7 +75,7 @@ Scene make_scene(const std::string& shape_or_path) {
   }
   Scene scene{make_shape(shape_or_path), {}, feature_size(shape_or_path)};
   if (shape_or_path.starts_with("room"))
-    scene.viewpoints = viewpoints_in_room();
+    scene.viewpoints = viewpoints_in_room(scene.mesh);
   else if (shape_or_path.starts_with("city"))
     scene.viewpoints = viewpoints_above(scene.mesh);
   else

@@ -44,6 +44,15 @@ int cells(const Parameters& parameters) {
   return parameters.empty() ? 12 : parameter<int>(parameters[0], 1, 1000);
 }
 
+/// Cells along one side of a room.
+int cells_along(const Parameters& parameters, std::size_t at, int usual) {
+  return parameters.size() > at ? parameter<int>(parameters[at], 1, 100) : usual;
+}
+
+Mesh room(const Parameters& parameters) {
+  return make_room(seed(parameters, 0), cells_along(parameters, 1, 6), cells_along(parameters, 2, 4));
+}
+
 Mesh box(const Vector3d& size) {
   BoxWorld world;
   world.add(Vector3d::Zero(), size);
@@ -129,8 +138,8 @@ const std::vector<Shape>& shapes() {
        thickness},
       {"cells", "cells:12", 2, [](const Parameters& p) { return make_cells(cells(p), seed(p, 1)); },
        [](const Parameters& p) { return cells(p), seed(p, 1), 0.75; }},
-      {"room", "room:1", 1, [](const Parameters& p) { return make_room(seed(p, 0)); },
-       [](const Parameters& p) { return seed(p, 0), 0.25; }},
+      {"room", "room:1", 3, room,
+       [](const Parameters& p) { return seed(p, 0), cells_along(p, 1, 6), cells_along(p, 2, 4), 0.25; }},
       {"city", "city:9", 2, [](const Parameters& p) { return make_city(boxes(p), seed(p, 1)); },
        [](const Parameters& p) { return boxes(p), seed(p, 1), 0.5; }}};
   return all;

@@ -32,14 +32,16 @@ namespace limpet::simulation {
 ///   cells:N[:SEED]  N cells of a sheared lattice joined by their faces; one sheet,     varies  0.75
 ///                   whose vertices may have four faces, two of them in one plane, or
 ///                   six, of which pairs lie in one plane and touch there only
-///   room:SEED       a 12 × 8 × 3 room seen from inside, with boxes on the floor,     about 200 0.25
-///                   against the walls and on one another (SEED 1 if left out)
+///   room:SEED[:COLUMNS[:ROWS]]  a room seen from inside, 3 high, COLUMNS × ROWS      about 200 0.25
+///                   cells of 2 × 2 (6 × 4 if left out), with boxes on the floor in
+///                   each, against the walls and on one another (SEED 1 if left out)
 ///   city:N[:SEED]   N boxes of 0.8 to 1.2 × 0.8 to 1.2, 0.5 to 1.5 high, on a        5N + 1       0.5
 ///                   ground sheet, one in each cell of a grid of pitch 2.125, at
 ///                   least 0.5 apart; the ground is one face with N holes
 ///
 /// All but open_box, room and city are closed. Throws MeshError on a name that is none of these, or a
-/// parameter out of range (N of a city from 1 to 100 000, of cells from 1 to 1000, of a sphere or drum a
+/// parameter out of range (N of a city from 1 to 100 000, of cells from 1 to 1000,
+/// columns and rows of a room from 1 to 100, of a sphere or drum a
 /// multiple of 4 from 8 to 1024, 64 if left out). The same name gives the same mesh on every machine.
 Mesh make_shape(const std::string& name);
 

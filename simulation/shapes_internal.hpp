@@ -7,8 +7,7 @@
 namespace limpet::simulation {
 
 /// The room's furniture stands in the cells of a grid; the lines between the cells are aisles.
-inline constexpr double kRoomLength = 12, kRoomWidth = 8, kRoomHeight = 3;
-inline constexpr int kRoomColumns = 6, kRoomRows = 4;
+inline constexpr double kRoomCell = 2, kRoomHeight = 3;
 
 // shapes_solids.cpp; shapes.hpp says what they are.
 Mesh make_slab();
@@ -26,7 +25,8 @@ Mesh make_drum(int sides);
 Mesh make_cells(int count, std::uint64_t seed);
 
 // shapes_scattered.cpp
-Mesh make_room(std::uint64_t seed);
+/// Precondition: columns and rows of cells, each 1 or more.
+Mesh make_room(std::uint64_t seed, int columns, int rows);
 Mesh make_city(int boxes, std::uint64_t seed);
 
 }  // namespace limpet::simulation

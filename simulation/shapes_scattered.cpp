@@ -37,27 +37,25 @@ void add_furniture(BoxWorld& world, survey::Random& random, const std::array<int
 
 }  // namespace
 
-Mesh make_room(std::uint64_t seed) {
+Mesh make_room(std::uint64_t seed, int columns, int rows) {
   survey::Random random(seed);
-  const int length = static_cast<int>(kRoomLength / kUnit), width = static_cast<int>(kRoomWidth / kUnit);
-  const int height = static_cast<int>(kRoomHeight / kUnit);
-  const int wall = 64;
+  const int cell = static_cast<int>(kRoomCell / kUnit), height = static_cast<int>(kRoomHeight / kUnit);
+  const int length = columns * cell, width = rows * cell, wall = 64;
   BoxWorld world;
   world.add(point(-wall, -wall, -wall), point(length + wall, width + wall, height + wall));
   world.carve(point(0, 0, 0), point(length, width, height));
   // One piece of furniture in each cell of a grid, with an aisle around it. Those in the outer cells stand
   // against their wall or well away from it; in the corners only against one of the two.
-  const int cell_x = length / kRoomColumns, cell_y = width / kRoomRows;
-  for (int row = 0; row < kRoomRows; ++row) {
-    for (int column = 0; column < kRoomColumns; ++column) {
-      const bool first_row = row == 0, last_row = row == kRoomRows - 1;
-      const bool first_column = column == 0, last_column = column == kRoomColumns - 1;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const bool first_row = row == 0, last_row = row == rows - 1;
+      const bool first_column = column == 0, last_column = column == columns - 1;
       const int gap_x0 = first_column ? between(random, 40, 50) : between(random, 16, 26);
       const int gap_x1 = last_column ? between(random, 40, 50) : between(random, 16, 26);
       const int gap_y0 = first_row ? between(random, 40, 50) : between(random, 16, 26);
       const int gap_y1 = last_row ? between(random, 40, 50) : between(random, 16, 26);
-      std::array<int, 4> footprint{column * cell_x + gap_x0, row * cell_y + gap_y0,
-                                   (column + 1) * cell_x - gap_x1, (row + 1) * cell_y - gap_y1};
+      std::array<int, 4> footprint{column * cell + gap_x0, row * cell + gap_y0, (column + 1) * cell - gap_x1,
+                                   (row + 1) * cell - gap_y1};
       const bool at_wall = random.uniform() < 0.5;
       if (at_wall && first_row) footprint[1] = 0;
       if (at_wall && last_row) footprint[3] = width;
