@@ -69,6 +69,17 @@ double parse_length(const std::string& option, const std::string& text, bool zer
   return *number;
 }
 
+survey::ResolutionLaw parse_resolution(const std::string& option, const std::string& text) {
+  const auto numbers = to_numbers(text);
+  if (numbers.empty() || numbers.size() > 2)
+    throw UsageError(option + " '" + text + "': give a; or a,b for a + b times the range");
+  if (!(numbers[0] > 0)) throw UsageError(option + " " + text + ": must be greater than 0");
+  const double growth = numbers.size() > 1 ? numbers[1] : 0;
+  if (growth < 0 || growth > 0.25)
+    throw UsageError(option + " " + text + ": may grow by 0 to 0.25 times the range");
+  return {numbers[0], growth};
+}
+
 survey::NoiseLaw parse_noise(const std::string& option, const std::string& text) {
   auto numbers = to_numbers(text);
   if (numbers.empty() || numbers.size() > 3) {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <limpet/survey/noise_law.hpp>
+#include <limpet/survey/resolution_law.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,6 +31,7 @@ struct RedundancyArgument {
 RedundancyArgument parse_redundancy(const std::string& option, const std::string& text);
 
 /// "a", "a,b" or "a,b,c", all 0 or more. Throws UsageError.
+survey::ResolutionLaw parse_resolution(const std::string& option, const std::string& text);
 survey::NoiseLaw parse_noise(const std::string& option, const std::string& text);
 
 /// "0", "-1,0" or "0..9,255": whole numbers and ranges of them, both ends in. Throws UsageError.

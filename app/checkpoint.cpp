@@ -61,6 +61,7 @@ std::string head_of(const Checkpoint& c) {
   line("violations", std::to_string(c.violations));
   line("seconds", text_of(c.seconds));
   line("voxel_edge", text_of(c.voxel_edge));
+  line("order_cell", text_of(c.order_cell));
   line("stages", std::to_string(c.stages.size()));
   line("model", std::to_string(c.model.size()));
   return head + "\n";
@@ -99,6 +100,7 @@ class CheckpointReader {
     c.violations = integer("violations");
     c.seconds = number("seconds");
     c.voxel_edge = number("voxel_edge");
+    c.order_cell = number("order_cell");
     const std::int64_t stages = integer("stages"), model = integer("model");
     if (!line().empty()) refuse();
     const std::string_view head = all_.substr(0, all_.size() - rest_.size());
@@ -174,7 +176,9 @@ std::vector<CheckpointOption> options_of(const ModelArguments& args) {
   const auto flag = [](bool on) { return std::string(on ? "yes" : "no"); };
   const auto length = [](const std::optional<double>& x) { return x ? text_of(*x) : "by the scan"; };
   std::vector<CheckpointOption> options;
-  options.push_back({"--resolution", length(args.resolution)});
+  options.push_back({"--resolution", args.resolution ? text_of(args.resolution->fixed) + "," +
+                                                           text_of(args.resolution->per_range)
+                                                     : "by the scan"});
   options.push_back({"--angle", text_of(args.angle_deg)});
   options.push_back({"--noise", args.noise
                                     ? text_of(args.noise->fixed) + "," + text_of(args.noise->per_range) +

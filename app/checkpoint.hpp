@@ -25,6 +25,7 @@ struct Checkpoint {
   std::int64_t violations = 0;
   double seconds = 0;     ///< spent so far
   double voxel_edge = 0;  ///< by which the scan was oriented; 0: it says its axes
+  double order_cell = 0;  ///< of the curve along which the scan is put in order, scan's unit
   std::string stages;     ///< Stages::state()
   std::string model;      ///< Model::state()
 };

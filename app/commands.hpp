@@ -27,8 +27,8 @@ enum ExitCode : int {
 
 struct ModelArguments {
   std::string scan;
-  std::vector<std::string> models;   ///< where to write the model; the format by extension
-  std::optional<double> resolution;  ///< scan's unit; chosen from the scan when not given
+  std::vector<std::string> models;                  ///< where to write the model; the format by extension
+  std::optional<survey::ResolutionLaw> resolution;  ///< scan's unit; chosen from the scan when not given
   double angle_deg = 10;
   std::optional<survey::NoiseLaw> noise;  ///< chosen from the scan when not given
   std::optional<double> tolerance;        ///< scan's unit; by noise and resolution when not given

@@ -64,7 +64,7 @@ std::string to_json(const FollowSummary& s) {
     if (run.steps_in_mode[i] > 0)
       json["modes"][std::string(following::name_of(static_cast<following::Mode>(i)))] = run.steps_in_mode[i];
   json["violations"] = s.model.violations;
-  json["resolution"] = s.model.resolution;
+  json["resolution"] = s.model.resolution.fixed;
   json["noise"] = s.model.noise.fixed;
   json["tolerance"] = s.model.tolerance;
   json["seconds"] = s.seconds;

@@ -59,8 +59,9 @@ void add_model(CLI::App& root, Command& chosen) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("MODEL");
-  length_option(app, "--resolution", "Gaps smaller than this are not represented (default: by the scan)",
-                false, [args](double length) { args->resolution = length; });
+  text_option(app, "--resolution", "A[,B]",
+              "Gaps smaller than A + B range are not represented (default: by the scan)",
+              [args](const std::string& text) { args->resolution = parse_resolution("--resolution", text); });
   text_option(app, "--angle", "DEGREES", "Angles smaller than this are not told apart (default 10)",
               [args](const std::string& text) {
                 args->angle_deg = parse_length("--angle", text, false);

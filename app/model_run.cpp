@@ -73,7 +73,8 @@ model::Model ModelRun::begin() {
   model::Model model = make_model(choice.parameters);
   if (!args_.initial.empty()) add_initial(model, args_.initial);
   if (!args_.labels.empty()) model.keep_labels();
-  put_in_order(choice.parameters.resolution);
+  order_cell_ = choice.order_cell;
+  put_in_order();
   return model;
 }
 
@@ -89,18 +90,19 @@ model::Model ModelRun::resume() {
       throw io::InputError(scan_.name(), "is not the scan that " + args_.checkpoint +
                                              " was written for, or it has changed since");
     if (voxel_edge_ > 0) orient(scan_, args_, voxel_edge_);
-    put_in_order(model.parameters().resolution);
+    order_cell_ = from_->order_cell;
+    put_in_order();
     return model;
   } catch (const std::invalid_argument& error) {
     throw io::InputError(args_.checkpoint, error.what());
   }
 }
 
-void ModelRun::put_in_order(double resolution) {
+void ModelRun::put_in_order() {
   if (args_.in_arrival_order) return;
   const auto memory = static_cast<std::size_t>(args_.order_memory) << 20;
   ordered_.emplace([this](Reading& reading) { return !interrupted() && read(reading); },
-                   survey::Ordering{resolution, memory, interrupted});
+                   survey::Ordering{order_cell_, memory, interrupted});
 }
 
 bool ModelRun::read(Reading& reading) {
@@ -192,8 +194,8 @@ void ModelRun::keep_checkpoint(const model::Model& model) {
   if (!keeper_.on()) return;
   const auto start = Clock::now();
   keeper_.keep([&] {
-    return Checkpoint{options_,         given_,      sets_,           digest_.value(), violations_,
-                      seconds_so_far(), voxel_edge_, stages_.state(), model.state()};
+    return Checkpoint{options_,         given_,      sets_,       digest_.value(), violations_,
+                      seconds_so_far(), voxel_edge_, order_cell_, stages_.state(), model.state()};
   });
   apart_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -275,12 +277,13 @@ void ModelRun::report(const Summary& summary) const {
 
 void ModelRun::warn_of_density(const Summary& summary) const {
   const survey::Estimate found = survey::estimate(sample_);
-  const double density = summary.resolution * summary.resolution / found.area_per_point;
+  if (summary.resolution.varies()) return;
+  const double lambda = summary.resolution.fixed, density = lambda * lambda / found.area_per_point;
   if (!(found.area_per_point > 0) || density >= kEnoughPoints) return;
   std::fprintf(stderr,
                "limpet: warning: %.1f points per square of the resolution %.4g are too few for surfaces to "
                "link up; --resolution %.3g would do\n",
-               density, summary.resolution, survey::suitable_resolution(found, summary.noise));
+               density, lambda, survey::suitable_resolution(found, summary.noise).fixed);
 }
 
 }  // namespace limpet::app

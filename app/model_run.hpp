@@ -39,7 +39,7 @@ class ModelRun {
   model::Model begin();
   model::Model resume();
   /// Sees to it that points come in the order asked for. Precondition: λ is known, and axes are found.
-  void put_in_order(double resolution);
+  void put_in_order();
   /// The next reading that the model is given.
   bool next(Reading& reading) { return ordered_ ? ordered_->next(reading) : read(reading); }
   /// The next reading of the scan.
@@ -80,6 +80,7 @@ class ModelRun {
   std::optional<survey::OrderedPoints> ordered_;  ///< of the scan, unless it is modelled as it arrives
   std::vector<model::SensorPoint> points_;        ///< scratch of give()
   std::int64_t total_ = -1;                       ///< points of the scan; -1: not known
+  double order_cell_ = 0;                         ///< of the curve (survey::Ordering)
   double voxel_edge_ = 0;                         ///< by which the scan was oriented; 0: it says its axes
   Clock::time_point start_;                       ///< of reading and modelling
   double before_ = 0;                             ///< seconds spent before the checkpoint

@@ -26,6 +26,10 @@ void require_points(survey::PointStream& scan, const ModelArguments& args) {
     throw io::InputError(scan.name(),
                          "does not say from how far its points were sensed; give --noise as one number");
   }
+  if (args.resolution && args.resolution->varies() && scan.first()->point.range == 0) {
+    throw io::InputError(scan.name(),
+                         "does not say from how far its points were sensed; give --resolution as one number");
+  }
 }
 
 survey::Choice choose(survey::PointStream& scan, const ModelArguments& args) {
@@ -46,7 +50,9 @@ survey::Choice choose(survey::PointStream& scan, const ModelArguments& args) {
 void say_choice(const ModelArguments& args, const model::Parameters& parameters) {
   if (args.quiet || (args.resolution && args.noise)) return;
   std::string text;
-  if (!args.resolution) text += " --resolution " + io::short_text(parameters.resolution);
+  if (!args.resolution)
+    text += " --resolution " +
+            short_text(survey::ResolutionLaw{parameters.resolution, parameters.resolution_per_range});
   if (!args.noise)
     text += " --noise " + short_text(survey::NoiseLaw{parameters.noise, parameters.noise_per_range,
                                                       parameters.noise_per_range2});

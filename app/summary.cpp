@@ -33,7 +33,7 @@ Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEd
   s.refused = model.refused;
   s.expired = model.expired;
   s.sets = model.sets;
-  s.resolution = model.parameters.resolution;
+  s.resolution = {model.parameters.resolution, model.parameters.resolution_per_range};
   s.noise = {model.parameters.noise, model.parameters.noise_per_range, model.parameters.noise_per_range2};
   s.tolerance = model.parameters.tolerance;
   s.polygons = static_cast<std::int64_t>(model.polygon_segments.size());
@@ -85,7 +85,8 @@ std::string to_json(const Summary& s) {
   json["points_per_second"] = s.seconds > 0 ? static_cast<double>(s.points) / s.seconds : 0.0;
   json["peak_memory_bytes"] = peak_memory_bytes();
   json["violations"] = s.violations;
-  json["resolution"] = s.resolution;
+  json["resolution"] = s.resolution.fixed;
+  json["resolution_per_range"] = s.resolution.per_range;
   json["noise"] = s.noise.fixed;
   json["noise_per_range"] = s.noise.per_range;
   json["noise_per_range2"] = s.noise.per_range2;
@@ -129,8 +130,8 @@ std::string to_text(const Summary& s) {
          << " MB of temporary files\n";
   char line[160];
   std::snprintf(
-      line, sizeof line, "resolution %.4g, noise %s, tolerance %.4g; %.2f s, %s points/s, %s MB\n",
-      s.resolution, short_text(s.noise).c_str(), s.tolerance, s.seconds,
+      line, sizeof line, "resolution %s, noise %s, tolerance %.4g; %.2f s, %s points/s, %s MB\n",
+      short_text(s.resolution).c_str(), short_text(s.noise).c_str(), s.tolerance, s.seconds,
       io::grouped(s.seconds > 0 ? std::llround(static_cast<double>(s.points) / s.seconds) : 0).c_str(),
       io::grouped(peak_memory_bytes() / 1'000'000).c_str());
   text << line;

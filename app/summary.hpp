@@ -34,7 +34,8 @@ struct Summary {
   double corner_distance = 0;   ///< largest from a corner to a plane that should hold it, scan's unit
   std::int64_t violations = 0;  ///< the oracle's count
   double seconds = 0;           ///< reading and modelling; neither the oracle nor writing
-  double resolution = 0, tolerance = 0;
+  survey::ResolutionLaw resolution;
+  double tolerance = 0;
   survey::NoiseLaw noise;
   bool in_arrival_order = true;
   std::int64_t order_disk_bytes = 0;  ///< written to put the scan in order

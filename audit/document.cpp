@@ -130,6 +130,15 @@ void read_header(Reader& reader, Document& document) {
   std::uint64_t version = 0;
   reader.take("limpet", version);
   reader.take("resolution", document.resolution);
+  if (reader.keyword() == "widening") {
+    std::uint64_t sensors = 0;
+    reader.take("widening", document.widening, sensors);
+    for (std::uint64_t i = 0; i < sensors; ++i) {
+      Vector at{};
+      reader.take("sensor", at);
+      document.sensors.push_back(at);
+    }
+  }
   reader.take("angle", document.angle);
   reader.take("noise", document.noise);
   reader.take("tolerance", document.tolerance);

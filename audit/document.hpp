@@ -61,6 +61,8 @@ struct Polygon : Segment {
 /// A native model file as parsed: only its syntax has been checked.
 struct Document {
   double resolution = 0, angle = 0, noise = 0, tolerance = 0, step = 0;
+  double widening = 0;                                    ///< of the resolution with the range
+  std::vector<Vector> sensors;                            ///< from the nearest of which that counts
   double growth = 0, growth2 = 0;                         ///< of the noise with the range and with its square
   double quantum = 0;                                     ///< to which the scan's coordinates are rounded
   std::uint64_t patience = 1'000'000;                     ///< sensor points after which outliers are given up

@@ -1,5 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <limpet/audit/laws.hpp>
 #include <limpet/audit/laws_internal.hpp>
 
@@ -49,6 +51,27 @@ const std::vector<Law>& laws() {
   return all;
 }
 
+namespace {
+
+/// The resolution where a segment's sensor points have their mean, rounded up by more than computing it
+/// takes.
+double resolution_at(const Document& document, const Moments& moments) {
+  if (!(document.widening > 0) || moments.m == 0) return document.resolution;
+  double least2 = std::numeric_limits<double>::infinity();
+  for (const Vector& sensor : document.sensors) {
+    double distance2 = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double mean =
+          static_cast<double>(moments.sum[i]) / static_cast<double>(moments.m) * document.step;
+      distance2 += (mean - sensor[i]) * (mean - sensor[i]);
+    }
+    least2 = std::min(least2, distance2);
+  }
+  return (document.resolution + document.widening * std::sqrt(least2)) * (1 + 1e-12);
+}
+
+}  // namespace
+
 std::vector<Violation> judge(const Document& document) {
   using namespace internal;
   Report report;
@@ -57,19 +80,19 @@ std::vector<Violation> judge(const Document& document) {
   judge_identities(document, report);
   judge_counts(document, report);
   const double step = document.step;
-  const double resolution = document.resolution;
-  const bool has_scale = std::isfinite(step) && step > 0 && std::isfinite(resolution) && resolution > 0;
+  const bool has_scale = std::isfinite(step) && step > 0 && std::isfinite(document.resolution) &&
+                         document.resolution > 0 && std::isfinite(document.widening);
   for (const Segment& segment : document.point_segments) {
     if (!is_finite(segment)) continue;
     judge_data(segment, report);
     if (segment.moments.m == 0) report.add("moments", segment_name(segment), "a point segment has no data");
     judge_points_on_grid(segment, report);
-    if (has_scale) judge_point(segment, step, resolution, report);
+    if (has_scale) judge_point(segment, step, resolution_at(document, segment.moments), report);
   }
   for (const Polygon& polygon : document.polygons) {
     if (!is_finite(polygon)) continue;
     judge_data(polygon, report);
-    if (has_scale) judge_plane(polygon, step, resolution, report);
+    if (has_scale) judge_plane(polygon, step, resolution_at(document, polygon.moments), report);
     judge_points_on_grid(polygon, report);
     if (has_scale) judge_chart_on_grid(polygon, step, report);
     judge_vertices_on_grid(polygon, document.arithmetic != Arithmetic::kFloat, report);

@@ -50,10 +50,12 @@ bool is_finite(const Polygon& polygon) {
 void judge_finite(const Document& document, Report& report) {
   const char* law = "finite";
   const char* what = "a number is not finite";
-  if (!are_finite({document.resolution, document.angle, document.noise, document.tolerance, document.step,
-                   document.growth, document.growth2, document.quantum, document.redundancy_count,
-                   document.redundancy_ratio}))
+  if (!are_finite({document.resolution, document.widening, document.angle, document.noise, document.tolerance,
+                   document.step, document.growth, document.growth2, document.quantum,
+                   document.redundancy_count, document.redundancy_ratio}))
     report.add(law, "header", what);
+  for (const Vector& sensor : document.sensors)
+    if (!are_finite(sensor)) report.add(law, "header", what);
   for (const Segment& segment : document.point_segments)
     if (!is_finite(segment)) report.add(law, segment_name(segment), what);
   for (const Polygon& polygon : document.polygons)
@@ -68,6 +70,9 @@ void judge_parameters(const Document& document, Report& report) {
   demand_not(document.resolution <= 0, "resolution is not above 0");
   demand_not(document.resolution > 0 && (document.resolution <= 1e-150 || document.resolution >= 1e150),
              "resolution is out of range");
+  demand_not(document.widening < 0 || document.widening > 0.25,
+             "the resolution grows by no 0 to 0.25 per range");
+  demand_not(document.widening > 0 && document.sensors.empty(), "the resolution grows from nowhere");
   demand_not(document.angle <= 0 || document.angle >= std::acos(0.0), "angle is not in (0, pi/2)");
   demand_not(document.noise < 0, "noise is below 0");
   demand_not(document.tolerance < 0, "tolerance is below 0");

@@ -89,7 +89,7 @@ bool needs_four(FissureType t) { return t == FissureType::IV || t == FissureType
 
 class Filler {
  public:
-  Filler(Polygon& polygon, double gap, EdgeIds& ids, bool bridge, const MayFill& may_fill)
+  Filler(Polygon& polygon, const Gap& gap, EdgeIds& ids, bool bridge, const MayFill& may_fill)
       : polygon_(polygon), gap_(gap), ids_(ids), bridge_(bridge), may_fill_(may_fill) {}
 
   std::size_t run(std::span<const std::pair<Slot, EdgeId>> fresh) {
@@ -123,10 +123,11 @@ class Filler {
     const bool four = cycle.size >= 4 && !polygon_.node(s[2]).shared;
     std::array<Point2, 4> v;
     for (std::size_t i = 0; i < 4; ++i) v[i] = polygon_.at(s[i]);
-    const bool narrow = four && squared_length(v[2] - v[1]) < gap_ * gap_;
+    const double gap = gap_.at(v[1]);
+    const bool narrow = four && squared_length(v[2] - v[1]) < gap * gap;
     for (const FissureType type : internal::kFissureOrder) {
-      if ((needs_four(type) && !narrow) || !possible(type, v)) continue;
-      if (const auto filling = internal::find_fissure(type, v, gap_);
+      if ((needs_four(type) && !narrow) || !possible(type, v, gap)) continue;
+      if (const auto filling = internal::find_fissure(type, v, gap);
           filling && may_add(filling->region(v)) && fill(s, *filling, cycle))
         return true;
     }
@@ -134,8 +135,8 @@ class Filler {
   }
 
   /// The conditions of find_fissure() that are cheap, and that most vertices fail.
-  bool possible(FissureType type, const std::array<Point2, 4>& v) const {
-    const auto within = [&](Point2 a, Point2 b) { return squared_length(a - b) < gap_ * gap_; };
+  static bool possible(FissureType type, const std::array<Point2, 4>& v, double gap) {
+    const auto within = [&](Point2 a, Point2 b) { return squared_length(a - b) < gap * gap; };
     const auto acute_notch = [](Point2 a, Point2 b, Point2 c) {
       return dot(a - b, c - b) > 0 && orientation(a, b, c) < 0;
     };
@@ -191,7 +192,7 @@ class Filler {
 
   bool bridge_at(Slot slot) {
     const std::size_t before = polygon_.version();
-    if (!bridge_self(polygon_, slot, gap_, ids_)) return false;
+    if (!bridge_self(polygon_, slot, gap_.at(polygon_.at(slot)), ids_)) return false;
     enqueue_created();
     return polygon_.version() != before;
   }
@@ -207,7 +208,7 @@ class Filler {
   }
 
   Polygon& polygon_;
-  double gap_;
+  const Gap& gap_;
   EdgeIds& ids_;
   bool bridge_;
   const MayFill& may_fill_;
@@ -218,7 +219,7 @@ class Filler {
 
 }  // namespace
 
-std::size_t fill_fissures(Polygon& polygon, std::span<const std::pair<Slot, EdgeId>> fresh, double gap,
+std::size_t fill_fissures(Polygon& polygon, std::span<const std::pair<Slot, EdgeId>> fresh, const Gap& gap,
                           EdgeIds& ids, bool bridge, const MayFill& may_fill) {
   return Filler(polygon, gap, ids, bridge, may_fill).run(fresh);
 }

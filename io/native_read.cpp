@@ -136,9 +136,24 @@ void read_version(Fields& in) {
   in.done();
 }
 
+/// How λ grows with the distance to the nearest of some places.
+void read_widening(Fields& in, model::Parameters& p) {
+  p.resolution_per_range = in.real();
+  const std::int64_t sensors = in.count();
+  if (sensors < 1 || sensors > 64) in.fail("the resolution grows from 1 to 64 places");
+  in.done();
+  for (std::int64_t i = 0; i < sensors; ++i) {
+    in.line("sensor");
+    Eigen::Vector3d& at = p.sensors.emplace_back();
+    at.x() = in.real(), at.y() = in.real(), at.z() = in.real();
+    in.done();
+  }
+}
+
 /// The parameters except the rules, which come later. Those that the file leaves out keep their usual values.
 void read_parameters(Fields& in, model::Parameters& p) {
   p.resolution = single(in, "resolution");
+  if (in.optional_line("widening")) read_widening(in, p);
   p.angle_rad = single(in, "angle");
   p.noise = single(in, "noise");
   p.tolerance = single(in, "tolerance");

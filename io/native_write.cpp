@@ -92,6 +92,10 @@ void write_head(std::string& text, const model::ModelRecord& model) {
   text += "limpet 1\n";
   const model::Parameters& p = model.parameters;
   Line(text, "resolution") << p.resolution;
+  if (p.resolution_per_range > 0) {
+    Line(text, "widening") << p.resolution_per_range << static_cast<std::uint64_t>(p.sensors.size());
+    for (const Eigen::Vector3d& at : p.sensors) Line(text, "sensor") << at.x() << at.y() << at.z();
+  }
   Line(text, "angle") << p.angle_rad;
   Line(text, "noise") << p.noise;
   Line(text, "tolerance") << p.tolerance;

@@ -34,10 +34,9 @@ struct SharingReach {
   /// way to it without more, scan's unit: λ; and at the end of input, as readings within the tolerance of
   /// both planes go to either of them, farther where they meet at a small angle: two planes of one surface
   /// are within twice the tolerance of each other.
-  double at_angle(const Setting& setting, double sine) const {
-    if (section <= 1) return setting.lambda;
-    return std::min(setting.lambda + 2 * setting.parameters.tolerance * (1 / sine - 1),
-                    section * setting.lambda);
+  double at_angle(double lambda, double tolerance, double sine) const {
+    if (section <= 1) return lambda;
+    return std::min(lambda + 2 * tolerance * (1 / sine - 1), section * lambda);
   }
 };
 

@@ -27,6 +27,12 @@ double part_before(double height) {
   return 1 - (arc_cosine(h) - h * std::sqrt(1 - h * h)) / std::numbers::pi;
 }
 
+Eigen::Vector3d middle_of(const Addition& addition) {
+  Vector2d mean = Vector2d::Zero();
+  for (const Vector2d& p : addition.outline) mean += p / static_cast<double>(addition.outline.size());
+  return addition.origin + mean.x() * addition.x + mean.y() * addition.y;
+}
+
 /// Looks for a place of an addition in whose largest disc that was not felt more readings are expected than
 /// chance may leave out: squares of places are divided while one of them may hold such a place.
 class VoidSearch {
@@ -34,9 +40,9 @@ class VoidSearch {
   VoidSearch(const Complex& complex, const Segment& s, const Addition& addition)
       : part_(*s.polygon),
         addition_(addition),
-        lambda_(complex.setting().lambda),
+        lambda_(complex.setting().scale_at(middle_of(addition)).lambda),
         density_(part_.felt
-                     ? part_.felt->density()
+                     ? part_.felt->density(complex.setting().least.lambda / lambda_)
                      : static_cast<double>(s.count()) / area_felt(part_.chart, part_.perimeter, s.count())),
         most_(most_expected_in_empty_disc(complex.now())),
         unseen_(complex.rules().near ? kUnextended * lambda_ : 0),

@@ -140,7 +140,7 @@ void Complex::absorb_united(const Segment& into, const Segment& from, bool stays
   if (const Owned<Passages>& theirs = from.polygon->passages) {
     Owned<Passages>& passages = mutable_of(into).polygon->passages;
     if (!passages) passages = std::make_unique<Passages>();
-    passages->add(*theirs, kPassagesApart * setting_.lambda);
+    passages->add(*theirs, kPassagesApart * setting_.scale_at(into.fit.centroid).lambda);
   }
   const auto lost = erase(mutable_of(from));
   segments_.rename(mutable_of(into));
@@ -151,13 +151,14 @@ void Complex::absorb_united(const Segment& into, const Segment& from, bool stays
 void Complex::note_passage(const Segment& s, const Eigen::Vector3d& at, std::int64_t through) {
   Owned<Passages>& passages = mutable_of(s).polygon->passages;
   if (!passages) passages = std::make_unique<Passages>();
-  passages->add(at, kPassagesApart * setting_.lambda);
+  passages->add(at, kPassagesApart * setting_.scale_at(at).lambda);
   if (through > 0) passages->note_through(through);
 }
 
 void Complex::keep_felt(const Segment& s) {
   PolygonPart& part = *mutable_of(s).polygon;
-  if (rules().voids && !part.felt) part.felt = std::make_unique<Felt>(part.chart, part.perimeter, s.count());
+  if (rules().voids && !part.felt)
+    part.felt = std::make_unique<Felt>(setting_, part.chart, part.perimeter, s.count());
 }
 
 void Complex::felt_at(const Segment& s, const Eigen::Vector3d& p) {

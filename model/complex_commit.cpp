@@ -130,7 +130,7 @@ void Complex::extend_box(const Segment& s, const DirtyRegion& where) {
 }
 
 void Complex::count_area(PolygonPart& part) {
-  const double area = part.perimeter.area() / (setting_.gap * setting_.gap);
+  const double gap = setting_.scale_at(part.box.center()).gap, area = part.perimeter.area() / (gap * gap);
   modelled_area_ += area - part.counted_area;
   part.counted_area = area;
 }

@@ -85,7 +85,7 @@ bool Complex::runs_on(const Segment& s, Slot corner) const {
 bool Complex::end_in_place(const Segment& s, Slot vertex, const geometry::Plane& across) const {
   const double height = std::abs(across.height_of(s.polygon->position(vertex)));
   if (height <= kEndSteps * setting_.step) return true;
-  return height <= kRunsOnReach * setting_.lambda && is_corner(s, vertex) && runs_on(s, vertex);
+  return height <= kRunsOnReach * setting_.least.lambda && is_corner(s, vertex) && runs_on(s, vertex);
 }
 
 /// Do the two copies of a shared edge lie on their line, run opposite to each other, and meet with their ends

@@ -50,7 +50,7 @@ std::optional<Eigen::Vector3d> place_by_ring(const Complex& complex, const Ring&
   if (!ring.closed) planes.insert(planes.end(), {first, second});
   const Eigen::Vector3d point = point_of(planes, near);
   Eigen::Vector3d foot = point - own.height_of(point) * own.normal;
-  const double reach = kRunsOnReach * complex.setting().lambda;
+  const double reach = kRunsOnReach * complex.setting().least.lambda;
   if (std::abs(first.height_of(foot)) > reach || std::abs(second.height_of(foot)) > reach)
     return std::nullopt;
   return foot;

@@ -65,8 +65,10 @@ bool gives_way(const Complex& complex, const RingPart& part, double at_angle) {
     twice_area -= cross(p, q);
     depth = std::max(depth, std::sqrt(squared_length(q)));
   }
+  const Setting& setting = complex.setting();
   if (twice_area <= 0)
-    return depth * complex.setting().step < at_angle || is_spur(complex.setting(), twice_area / 2, depth);
+    return depth * setting.step < at_angle ||
+           is_spur(setting.rules(), setting.scale_at(polygon.at(part.corner)).gap, twice_area / 2, depth);
   Addition bay = addition_on(polygon, outline);  // up to the two shared edges, which will end at the corner
   bay.limits.push_back(limit_along(polygon, polygon.perimeter.at(part.before), part.corner));
   bay.limits.push_back(limit_along(polygon, part.corner, polygon.perimeter.end(part.after)));
@@ -83,11 +85,13 @@ double least_sine(const Ring& ring) {
 /// Sets the part's corner, and checks the conditions on its distances and directions (thesis §2.7).
 Refusal fit_corner(const Complex& complex, const Ring& ring, RingPart& part, const SharingReach& reach) {
   const PolygonPart& polygon = *part.segment->polygon;
-  const double lambda2 = complex.setting().lambda2,
-               distance = reach.at_angle(complex.setting(), least_sine(ring)),
-               distance2 = distance * distance;
   const auto corner = place_of_corner(complex, ring, part);
   if (!corner) return Refusal::corner_far;
+  const Setting& setting = complex.setting();
+  const Scale scale = setting.scale_at(*corner);
+  const double lambda2 = scale.lambda2,
+               distance = reach.at_angle(scale.lambda, setting.parameters.tolerance, least_sine(ring)),
+               distance2 = distance * distance;
   part.corner = geometry::round_to_grid(polygon.chart.project(*corner));
   bool reached = false, far = false;
   for (const Slot s : part.between) {

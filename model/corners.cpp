@@ -32,10 +32,11 @@ bool form(Complex& complex, const Ring& ring, CornerEdits&& corner) {
 /// Where four planes meet in one place, two opposite ones may share an edge that is shorter than what their
 /// corners can keep. It is given up for a corner of all four. Returns whether that was formed.
 bool form_without_short(Complex& complex, const Ring& ring, const SharingReach& reach) {
-  const double shortest = kShortCorner * complex.setting().gap;
   for (const RingPart& part : ring.parts) {
     const auto& perimeter = part.segment->polygon->perimeter;
     const geometry::Slot before = perimeter.prev(part.before);
+    const double shortest =
+        kShortCorner * complex.setting().scale_at(part.segment->polygon->position(part.before)).gap;
     const double length2 = squared_length(perimeter.end(part.before) - perimeter.at(part.before));
     if (length2 > shortest * shortest || !perimeter.node(before).shared) continue;
     const EdgeId edge = perimeter.node(part.before).edge, copy = complex.edges().at(edge).partner;

@@ -106,6 +106,7 @@ void describe(auto& archive, Is<Counts> auto& c) {  // the others are counted an
 void describe(auto& archive, Is<Parameters> auto& p) {
   archive(p.resolution, p.angle_rad, p.noise, p.noise_per_range, p.noise_per_range2, p.input_quantum,
           p.tolerance, p.outlier_patience, p.redundancy_count, p.redundancy_ratio, p.neighbours);
+  archive(p.resolution_per_range, p.sensors);
   describe_taken_apart(
       archive, p.rules,
       [](const Rules& rules) {

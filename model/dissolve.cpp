@@ -26,11 +26,11 @@ bool fits_where_changed(const Setting& setting, const Segment& young, const Segm
   return std::any_of(raw_points.begin(), raw_points.end(), [&](const RawPoint& raw) {
     const Eigen::Vector3d p = setting.world(raw.at);
     const double height = polygon.fit.height_of(p);
-    if (height * height >= setting.lambda2) return false;
+    const double lambda2 = setting.scale_at(p).lambda2;
+    if (height * height >= lambda2) return false;
     const auto& places = changed.boxes();
-    return std::any_of(
-               places.begin(), places.end(),
-               [&](const Box3& place) { return place.squaredExteriorDistance(p) < setting.lambda2; }) &&
+    return std::any_of(places.begin(), places.end(),
+                       [&](const Box3& place) { return place.squaredExteriorDistance(p) < lambda2; }) &&
            fits(setting, raw, polygon);
   });
 }

@@ -20,6 +20,29 @@ double length_of_boundary(const geometry::Polygon& perimeter) {
   return length;
 }
 
+/// The mean over a polygon's area of the square of the least λ over λ, at the points of a lattice; at the
+/// middle of its box where none is inside.
+double mean_thinning(const Setting& setting, const geometry::Chart& chart,
+                     const geometry::Polygon& perimeter) {
+  if (!setting.resolution_grows()) return 1;
+  constexpr int kAcross = 16;
+  const geometry::Box2 box = perimeter.box();
+  const auto thinning = [&](geometry::Point2 p) {
+    return setting.least.lambda2 / setting.scale_at(chart.at(p, 0)).lambda2;
+  };
+  double sum = 0;
+  int inside = 0;
+  for (int i = 0; i < kAcross * kAcross; ++i) {
+    const double x = (i % kAcross + 0.5) / kAcross, y = (i / kAcross + 0.5) / kAcross;
+    const geometry::Point2 p = geometry::round_to_grid(
+        {box.low.x + x * (box.high.x - box.low.x), box.low.y + y * (box.high.y - box.low.y)});
+    if (perimeter.locate(p) == geometry::Polygon::Side::outside) continue;
+    sum += thinning(p);
+    ++inside;
+  }
+  return inside > 0 ? sum / inside : thinning(0.5 * (box.low + box.high));
+}
+
 }  // namespace
 
 double distance_to(const geometry::Chart& chart, const geometry::Polygon& perimeter, const Eigen::Vector3d& p,
@@ -38,8 +61,11 @@ double area_felt(const geometry::Chart& chart, const geometry::Polygon& perimete
   return (area + length_of_boundary(perimeter) * std::sqrt(area / m) / 2) * chart.step() * chart.step();
 }
 
-Felt::Felt(const geometry::Chart& chart, const geometry::Polygon& perimeter, std::int64_t points)
-    : points_(points), area_(area_felt(chart, perimeter, points)) {
+Felt::Felt(const Setting& setting, const geometry::Chart& chart, const geometry::Polygon& perimeter,
+           std::int64_t points)
+    : points_(points),
+      area_(area_felt(chart, perimeter, points)),
+      thinning_(mean_thinning(setting, chart, perimeter)) {
   parts_.push_back({chart, perimeter});
 }
 
@@ -48,6 +74,8 @@ void Felt::add(Felt&& other) {
                 std::make_move_iterator(other.parts_.end()));
   readings_.insert(readings_.end(), other.readings_.begin(), other.readings_.end());
   points_ += other.points_;
+  if (thinning_ != other.thinning_ && area_ + other.area_ > 0)
+    thinning_ = (area_ * thinning_ + other.area_ * other.thinning_) / (area_ + other.area_);
   area_ += other.area_;
   added_to_ |= other.added_to_;
 }
@@ -58,6 +86,8 @@ double Felt::distance(const Eigen::Vector3d& p, double within) const {
   return within;
 }
 
-double Felt::density() const { return area_ > 0 ? static_cast<double>(points_) / area_ : 0; }
+double Felt::density(double part) const {
+  return area_ > 0 ? static_cast<double>(points_) / area_ * (part * part / thinning_) : 0;
+}
 
 }  // namespace limpet::model::internal

@@ -9,6 +9,8 @@
 #include <limpet/geometry/chart.hpp>
 #include <limpet/geometry/polygon.hpp>
 
+#include "setting_internal.hpp"
+
 namespace limpet::model::internal {
 
 /// Where a polygon has been felt: its perimeter as the readings left it, before finish() added what none of
@@ -22,7 +24,7 @@ class Felt {
 
   Felt() = default;
   /// `points`: how many readings the perimeter stands for.
-  Felt(const geometry::Chart&, const geometry::Polygon&, std::int64_t points);
+  Felt(const Setting&, const geometry::Chart&, const geometry::Polygon&, std::int64_t points);
 
   /// The felt parts of a polygon that has merged into this one.
   void add(Felt&& other);
@@ -32,7 +34,9 @@ class Felt {
   /// How far a place in the plane is from the nearest that was felt, 0 inside; `within` if that is nearer.
   double distance(const Eigen::Vector3d& p, double within) const;
   /// Readings to a unit of area of the felt parts and half the space between two readings around them.
-  double density() const;
+  /// Where λ grows with the range readings are as many to λ² everywhere: `part` is the least λ over that of
+  /// the place.
+  double density(double part) const;
   /// Has finish() added anything to the polygon?
   bool is_all() const { return !added_to_; }
   void note_addition() { added_to_ = true; }
@@ -41,14 +45,15 @@ class Felt {
   std::int64_t points() const { return points_; }
   double area() const { return area_; }
   /// For the archive.
-  auto members() { return std::tie(parts_, readings_, points_, area_, added_to_); }
-  auto members() const { return std::tie(parts_, readings_, points_, area_, added_to_); }
+  auto members() { return std::tie(parts_, readings_, points_, area_, thinning_, added_to_); }
+  auto members() const { return std::tie(parts_, readings_, points_, area_, thinning_, added_to_); }
 
  private:
   std::vector<Part> parts_;
   std::vector<Eigen::Vector3d> readings_;
   std::int64_t points_ = 0;
-  double area_ = 0;  ///< scan's unit squared
+  double area_ = 0;      ///< scan's unit squared
+  double thinning_ = 1;  ///< mean over the area of the square of the least λ over λ
   bool added_to_ = false;
 };
 

@@ -25,10 +25,15 @@ bool fill(Complex& complex, Agenda& agenda, const Segment& s) {
     may_fill = [&](std::span<const geometry::Point2> region) {
       return chance_explains(complex, s, addition_on(*s.polygon, region));
     };
+  const Setting& setting = complex.setting();
+  const PolygonPart& part = *s.polygon;
+  const geometry::Gap gap =
+      setting.resolution_grows()
+          ? geometry::Gap([&](geometry::Point2 p) { return setting.scale_at(part.at(p)).gap; })
+          : setting.least.gap;
   const auto filled = complex.change_perimeter(
       s, true, at_fresh_edges, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
-        return geometry::fill_fissures(perimeter, fresh, complex.setting().gap, ids, complex.rules().holes,
-                                       may_fill);
+        return geometry::fill_fissures(perimeter, fresh, gap, ids, complex.rules().holes, may_fill);
       });
   return filled > 0;
 }

@@ -12,7 +12,10 @@
 namespace limpet::model::internal {
 namespace {
 
-double side_of(const Setting& setting) { return 2 * setting.gap; }
+/// Of squares on this chart, in grid steps.
+double side_of(const Setting& setting, const geometry::Chart& chart) {
+  return 2 * setting.scale_at(chart.origin()).gap;
+}
 
 std::uint64_t key(double side, geometry::Point2 p, int dx = 0, int dy = 0) {
   const auto column = static_cast<std::int32_t>(std::floor(p.x / side)) + dx;
@@ -65,7 +68,7 @@ std::vector<HeightMap::Sum> HeightMap::squares() const {
 }
 
 void add_height(const Setting& setting, PolygonPart& part, const Eigen::Vector3d& p, double count) {
-  if (setting.relief_kept()) part.heights.add(side_of(setting), seen_from(part.chart, p, count));
+  if (setting.relief_kept()) part.heights.add(side_of(setting, part.chart), seen_from(part.chart, p, count));
 }
 
 void add_heights(const Setting& setting, PolygonPart& part, const Segment& other) {
@@ -82,7 +85,8 @@ void add_heights(const Setting& setting, PolygonPart& part, const Segment& other
 void rechart_heights(const Setting& setting, PolygonPart& part, const geometry::Chart& from) {
   HeightMap map;
   for (const HeightMap::Sum& sum : part.heights.squares())
-    map.add(side_of(setting), seen_from(part.chart, from.at(sum.mean(), sum.mean_height()), sum.count));
+    map.add(side_of(setting, part.chart),
+            seen_from(part.chart, from.at(sum.mean(), sum.mean_height()), sum.count));
   part.heights = std::move(map);
 }
 
@@ -90,11 +94,12 @@ std::optional<LocalResidual> local_residual(const Setting& setting, const Segmen
                                             const Eigen::Vector3d& p) {
   const PolygonPart& part = *polygon.polygon;
   const geometry::Point2 at = part.chart.project(p);
-  const HeightMap::Sum near = part.heights.around(side_of(setting), at);
+  const double side = side_of(setting, part.chart);
+  const HeightMap::Sum near = part.heights.around(side, at);
   if (near.count == 0) return std::nullopt;
   const geometry::Plane plane = polygon.fit.plane();
   const double height = plane.height_of(p) - plane.height_of(part.chart.at(near.mean(), near.mean_height()));
-  const double way2 = geometry::squared_length(near.mean() - at) / (setting.gap * setting.gap);
+  const double way2 = geometry::squared_length(near.mean() - at) / (side * side / 4);
   const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance;
   return LocalResidual{height, polygon.data.variance() / near.count,
                        tolerance2 * (kBend * kBend * way2 + kKnown * kKnown)};

@@ -43,11 +43,12 @@ void Insertion::find_neighbours(const Segment& s, bool polygons_tried) {
   Candidates &polygons = near_, &points = near_points_;
   polygons.clear(), points.clear();
   const Eigen::Vector3d centroid = s.fit.centroid;
+  const double lambda2 = complex_.setting().scale_at(centroid).lambda2;
   complex_.points().query(centroid, found_);
   for (const std::uint32_t slot : found_) {
     const Segment& other = complex_.at(slot);
     const double d2 = (other.fit.centroid - centroid).squaredNorm();
-    if (&other != &s && d2 < complex_.setting().lambda2) points.push_back({d2, other.id, &other, {}});
+    if (&other != &s && d2 < lambda2) points.push_back({d2, other.id, &other, {}});
   }
   if (!polygons_tried) {
     complex_.polygons().query(centroid, found_);
@@ -129,13 +130,14 @@ void Insertion::insert_one(const RawPoint& raw) {
   else
     found_.clear();
   const Segment* initial = any_initial ? initial_under(p, raw) : nullptr;
-  if (best)
+  if (best) {
+    const double lambda2 = complex_.setting().scale_at(p).lambda2;
     for (const std::uint32_t slot : found_) {
       const Segment& s = complex_.at(slot);
       const double height = s.fit.height_of(p);
-      if (height * height < complex_.setting().lambda2)
-        add_polygon(s, p, raw.axis, height * height, raw.variance, candidates_);
+      if (height * height < lambda2) add_polygon(s, p, raw.axis, height * height, raw.variance, candidates_);
     }
+  }
   if (initial) keep_nearer_crossing(*initial, p, candidates_);
   if (candidates_.size() > 1) order_by_heights(p, candidates_);
   for (const Candidate& c : candidates_)

@@ -40,7 +40,7 @@ inline double rounding_near(const Complex& complex, const Box3& around) {
 
 /// How much boxes are enlarged before segments are ruled out by them.
 inline double room_around(const Complex& complex, double rounding) {
-  return complex.setting().lambda / 64 + rounding;
+  return complex.setting().least.lambda / 64 + rounding;
 }
 
 /// A polygon in the frame of its chart: coordinates x, y, z along u, v and the chart's normal, in grid steps.

@@ -25,7 +25,10 @@ class ChainWalk {
         line_(line),
         view_(complex.setting(), *a.polygon, line),
         window_(window),
-        reach_(reach.section * complex.setting().lambda),
+        section_(reach.section),
+        reach_(
+            section_ *
+            complex.setting().largest_scale(middle_of(line, window), (window.end - window.begin) / 2).lambda),
         from_shared_(reach.from_shared) {}
 
   std::vector<LineChain> all() {
@@ -36,8 +39,15 @@ class ChainWalk {
   }
 
  private:
+  static Eigen::Vector3d middle_of(const CommonLine& line, const LineWindow& window) {
+    return line.at((window.begin + window.end) / 2);
+  }
   Station station(Slot s) const { return view_.station(s); }
-  bool near(const Station& s) const { return std::abs(s.offset) < reach_; }
+  double reach_at(double place) const {
+    const Setting& setting = complex_.setting();
+    return setting.resolution_grows() ? section_ * setting.scale_at(line_.at(place)).lambda : reach_;
+  }
+  bool near(const Station& s) const { return std::abs(s.offset) < reach_at(s.place); }
 
   /// May the chain go on along this edge?
   bool passable(Slot s) const {
@@ -78,7 +88,7 @@ class ChainWalk {
 
   /// The point where the edge from `from` to `far` leaves the strip around the line, on the side of `far`.
   Station cut(const Station& from, const Station& far) const {
-    const double limit = std::copysign(0.999 * reach_, far.offset);
+    const double limit = std::copysign(0.999 * reach_at(from.place), far.offset);
     const double fraction = (limit - from.offset) / (far.offset - from.offset);
     const Point2 at = geometry::round_to_grid(from.at + fraction * (far.at - from.at));
     return {from.place + fraction * (far.place - from.place), limit, at, geometry::kNoSlot};
@@ -119,7 +129,8 @@ class ChainWalk {
   const CommonLine& line_;
   LineView view_;
   LineWindow window_;
-  double reach_;  ///< scan's unit
+  double section_;  ///< SharingReach::section
+  double reach_;    ///< the same where λ is largest in the window, scan's unit
   bool from_shared_;
   std::unordered_set<std::uint32_t> visited_;
 };
@@ -166,7 +177,8 @@ std::optional<LineBetween> line_between(const Setting& setting, const PolygonPar
   if (!line) return std::nullopt;
   constexpr double kFar = std::numeric_limits<double>::max() / 4;
   LineWindow window{-kFar, kFar};
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(sharing.at_angle(setting, line->sine));
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(
+      sharing.at_angle(setting.largest_scale(both).lambda, setting.parameters.tolerance, line->sine));
   for (const PolygonPart* part : {&a, &b})
     if (!clip(window, *line, Box3(part->box.min() - reach, part->box.max() + reach))) return std::nullopt;
   return LineBetween{*line, window};

@@ -38,7 +38,8 @@ bool edge_meets(const Setting& setting, const PolygonPart& a, const geometry::Bo
                 const PolygonPart& b) {
   return a.perimeter.any_edge_near(box, [&](geometry::Slot s) {
     const geometry::Point2 p = in_chart(b, a, s), q = in_chart(b, a, a.perimeter.next(s));
-    return geometry::any_edge_within(b.perimeter, p, q, setting.gap + 2) || holds(b, p);
+    const double gap = setting.scale_at(a.position(s)).gap;
+    return geometry::any_edge_within(b.perimeter, p, q, gap + 2) || holds(b, p);
   });
 }
 
@@ -47,7 +48,7 @@ bool edge_meets(const Setting& setting, const PolygonPart& a, const geometry::Bo
 bool may_meet_where_changed(const Setting& setting, const Segment& s, const DirtyRegion& changed,
                             const Segment& other) {
   const PolygonPart &a = *s.polygon, &b = *other.polygon;
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(setting.lambda);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(setting.largest_scale(b.box).lambda);
   const Box3 around(b.box.min() - reach, b.box.max() + reach);
   const bool near = std::any_of(changed.boxes().begin(), changed.boxes().end(), [&](const Box3& place) {
     const Box3 both = place.intersection(around);
@@ -58,10 +59,11 @@ bool may_meet_where_changed(const Setting& setting, const Segment& s, const Dirt
 
 bool lies_near(const Setting& setting, const PolygonPart& part, const Eigen::Vector3d& p) {
   const double height = part.plane().height_of(p);
-  if (height * height >= setting.lambda2) return false;
+  const Scale scale = setting.scale_at(p);
+  if (height * height >= scale.lambda2) return false;
   const geometry::Point2 q = geometry::round_to_grid(part.chart.project(p));
   if (part.perimeter.locate(q) != geometry::Polygon::Side::outside) return true;
-  const double left = std::sqrt((setting.lambda2 - height * height) / setting.lambda2) * setting.gap;
+  const double left = std::sqrt((scale.lambda2 - height * height) / scale.lambda2) * scale.gap;
   return geometry::nearest_perimeter_point(part.perimeter, q, left).has_value();
 }
 

@@ -20,7 +20,7 @@ bool merged_moments_accepted(const Setting& setting, const Segment& polygon, con
   if (!variance_allowed(setting, *polygon.polygon, merged)) return false;
   if (!check_variance && !polygon.young()) return true;
   const Fit fit = fit_to(merged, setting.step, -polygon.fit.normal);
-  if (check_variance && fit.u3 >= setting.lambda2) return false;
+  if (check_variance && fit.u3 >= setting.scale_at(fit.centroid).lambda2) return false;
   return !differs_from_initial(setting, *polygon.polygon, fit);
 }
 
@@ -36,12 +36,11 @@ inline bool merged_fit_accepted(const Setting& setting, const Segment& polygon, 
 
 /// Does the perimeter grow by the projected point? Not if that is inside, or so near that it adds nothing.
 bool adds_area(const Setting& setting, const Standing& st) {
-  return st.outside && !(setting.rules().near && st.perimeter_distance < setting.gap / 4);
+  return st.outside && !(setting.rules().near && st.perimeter_distance < st.gap / 4);
 }
 
 /// Makes the projected point a vertex. False if the extension was refused.
 bool extend_perimeter(Complex& complex, const Segment& polygon, const Standing& st) {
-  const double gap = complex.setting().gap;
   const auto at_new_edges = [&](const BoundaryDifference& difference) {
     Box3 box;
     for (const auto& [slot, edge] : difference.put) box.extend(polygon.polygon->position(slot));
@@ -49,7 +48,7 @@ bool extend_perimeter(Complex& complex, const Segment& polygon, const Standing& 
   };
   const auto extension = complex.change_perimeter(
       polygon, false, at_new_edges, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
-        return geometry::extend_to_point(perimeter, st.chart_point, gap, ids);
+        return geometry::extend_to_point(perimeter, st.chart_point, st.gap, ids);
       });
   if (extension == geometry::Extension::refused) return false;
   if (polygon.polygon->felt) complex.felt_at(polygon, polygon.polygon->at(st.chart_point));

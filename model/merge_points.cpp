@@ -32,10 +32,13 @@ void become_polygon(Complex& complex, PendingPoints& pending, const Segment& s,
 
 /// Young point segments within 2λ of a point segment, nearest first, ties by identity.
 std::vector<const Segment*> young_points_around(const Complex& complex, const Segment& seed) {
-  const double lambda = complex.setting().lambda, reach = 2 * lambda;
-  // Boxes in the index reach at least λ beyond their segments.
+  const Setting& setting = complex.setting();
+  const double lambda = setting.scale_at(seed.fit.centroid).lambda, reach = 2 * lambda;
+  // Boxes in the index reach at least λ beyond their segments: λ where these are, which is less by no more
+  // than what it grows by on the way.
+  const double least = lambda - reach * setting.parameters.resolution_per_range;
   std::vector<std::pair<double, const Segment*>> near;
-  complex.points().any_of(box_around(seed.fit.centroid, reach - lambda), [&](std::uint32_t slot) {
+  complex.points().any_of(box_around(seed.fit.centroid, reach - least), [&](std::uint32_t slot) {
     const Segment& s = complex.at(slot);
     const double distance2 = (s.fit.centroid - seed.fit.centroid).squaredNorm();
     if (&s != &seed && s.young() && distance2 < reach * reach) near.emplace_back(distance2, &s);
@@ -58,9 +61,10 @@ PointMerger merge_point_segments(Complex& complex, Agenda& agenda, PendingPoints
   SegmentData::Sums sums = into.data.sums();
   sums += from.data.sums();
   const Fit fit = fit_to(sums.moments, setting.step, sums.axis);
-  const bool small = fit.point_variance() < setting.lambda2;
+  const double lambda2 = setting.scale_at(fit.centroid).lambda2;
+  const bool small = fit.point_variance() < lambda2;
   const bool polygon =
-      fit.u3 < setting.lambda2 && promotable(complex, fit, sums, {&into.data.raw(), &from.data.raw()});
+      fit.u3 < lambda2 && promotable(complex, fit, sums, {&into.data.raw(), &from.data.raw()});
   auto part = polygon ? diamond_part(complex, fit) : nullptr;
   if (!part && !small) return PointMerger::refused;
 

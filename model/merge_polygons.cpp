@@ -20,6 +20,11 @@
 namespace limpet::model::internal {
 namespace {
 
+/// λ where two polygons meet, if they do.
+Scale scale_between(const Setting& setting, const Box3& a, const Box3& b) {
+  return setting.scale_at((a.min().cwiseMax(b.min()) + a.max().cwiseMin(b.max())) / 2);
+}
+
 bool within(const Box3& a, const Box3& b, double reach) {
   return a.squaredExteriorDistance(b) < reach * reach;
 }
@@ -42,15 +47,18 @@ bool planes_agree(const Setting& setting, const Segment& a, const Segment& b) {
     const double by_noise =
         4 * small.data.variance() + 9 * large.fit.height_variance(small.fit.centroid, large.data.variance());
     const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance;
-    if (residual2 > std::max(by_noise, tolerance2) || residual2 >= setting.lambda2) return false;
+    if (residual2 > std::max(by_noise, tolerance2) ||
+        residual2 >= setting.scale_at(small.fit.centroid).lambda2)
+      return false;
     if (residual2 > by_noise && setting.relief_kept() && !surfaces_continue(setting, large, small) &&
         !are_twins(setting, large, small, residual2))
       return false;
   }
   Moments merged = a.data.moments();
   merged.add(b.data.moments());
-  return variance_allowed(setting, *a.polygon, merged) &&
-         fit_to(merged, setting.step, -large.fit.normal).u3 < setting.lambda2;
+  if (!variance_allowed(setting, *a.polygon, merged)) return false;
+  const Fit fit = fit_to(merged, setting.step, -large.fit.normal);
+  return fit.u3 < setting.scale_at(fit.centroid).lambda2;
 }
 
 SegmentPair pair_of(const Segment& a, const Segment& b) { return std::minmax(a.id, b.id); }
@@ -79,11 +87,11 @@ DirtyRegion changed_region(const Segment& a, const Segment& b, const PlacedEdges
 }
 
 /// Without the rule `holes`, as in the thesis, a merger that leaves a hole fails.
-geometry::Merger merge_perimeters(const Setting& setting, geometry::Polygon& a, const geometry::Polygon& b,
-                                  geometry::EdgeIds& ids) {
-  if (setting.rules().holes) return geometry::merge_polygons(a, b, setting.gap, ids);
+geometry::Merger merge_perimeters(const Setting& setting, double gap, geometry::Polygon& a,
+                                  const geometry::Polygon& b, geometry::EdgeIds& ids) {
+  if (setting.rules().holes) return geometry::merge_polygons(a, b, gap, ids);
   geometry::Polygon trial = a;
-  const auto merger = geometry::merge_polygons(trial, b, setting.gap, ids);
+  const auto merger = geometry::merge_polygons(trial, b, gap, ids);
   if (trial.hole_count() > 0) return geometry::Merger::refused;
   a = std::move(trial);
   return merger;
@@ -124,7 +132,8 @@ bool merge_polygon_segments(Complex& complex, Agenda& agenda, const Segment& s1,
   const bool first_larger = s1.polygon->perimeter.edge_count() >= s2.polygon->perimeter.edge_count();
   const Segment &a = first_larger ? s1 : s2, &b = first_larger ? s2 : s1;
   if (a.initial() || b.initial()) return false;
-  if (!within(a.polygon->box, b.polygon->box, setting.lambda) || !planes_agree(setting, a, b) ||
+  const Scale scale = scale_between(setting, a.polygon->box, b.polygon->box);
+  if (!within(a.polygon->box, b.polygon->box, scale.lambda) || !planes_agree(setting, a, b) ||
       agenda.remembered_as_refused(pair_of(a, b), shapes_of(a, b)) ||
       !may_meet_where_changed(setting, s1, agenda.polygon(s1.slot).changed, s2) ||
       parted(setting, agenda, a, b))
@@ -142,7 +151,7 @@ bool merge_polygon_segments(Complex& complex, Agenda& agenda, const Segment& s1,
   complex.with_ends_apart([&] {
     auto [outcome, difference] =
         complex.start_change(a, false, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
-          return merge_perimeters(setting, perimeter, *other, ids);
+          return merge_perimeters(setting, scale.gap, perimeter, *other, ids);
         });
     merger = outcome;
     if (merger == geometry::Merger::too_far || merger == geometry::Merger::refused) return;

@@ -128,7 +128,7 @@ class Explanation {
     const auto between = line_between(complex_.setting(), part, other, reach_);
     if (!between) return Refusal::line_far;
     const Eigen::Vector3d foot = between->line.at(between->line.place_of(p));
-    return (p - foot).norm() < reach() ? Refusal::nothing_opposite : Refusal::line_far;
+    return (p - foot).norm() < reach_at(p) ? Refusal::nothing_opposite : Refusal::line_far;
   }
 
   void look_along_line(const Segment& a, const Segment& b) {
@@ -198,7 +198,7 @@ class Explanation {
       if (!corner) continue;
       const Refusal refusal = edits_for(complex_, ring, reach_).refusal;
       for (std::size_t i = 0; i + 1 < part.between.size(); ++i)
-        if ((middle_of(*s.polygon, part.between[i]) - *corner).norm() < reach())
+        if ((middle_of(*s.polygon, part.between[i]) - *corner).norm() < reach_at(*corner))
           note(s, perimeter.node(part.between[i]).edge, refusal, beyond.id);
     }
   }
@@ -206,7 +206,9 @@ class Explanation {
   static Eigen::Vector3d middle_of(const PolygonPart& part, Slot edge) {
     return (part.position(edge) + part.position(part.perimeter.next(edge))) / 2;
   }
-  double reach() const { return reach_.section * complex_.setting().lambda; }
+  double reach_at(const Eigen::Vector3d& p) const {
+    return reach_.section * complex_.setting().scale_at(p).lambda;
+  }
 
   const Complex& complex_;
   SharingReach reach_;

@@ -116,7 +116,7 @@ void look_outwards(const Complex& complex, const Which& which, const Box3& aroun
     if (s && least_distance(complex, around, *s, rounding) <= limit) look(*s);
     return;
   }
-  const double first = 4 * complex.setting().lambda;
+  const double first = 4 * complex.setting().least.lambda;
   if (which.polygons || which.initial)
     limit = look_outwards(complex, complex.polygons(), which, around, first, limit, rounding, look);
   if (which.points) look_outwards(complex, complex.points(), which, around, first, limit, rounding, look);

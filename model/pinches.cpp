@@ -41,7 +41,7 @@ std::optional<Pinch> pinch_at(const Setting& setting, const PolygonPart& part, c
   for (std::size_t i = 0; i < 4; ++i) {
     const double sine = std::abs(cross(bisectors[i], u));
     if (sine < kLeastPinchSine) return std::nullopt;
-    const Point2 step = kPinchDepth * setting.gap / sine * bisectors[i];
+    const Point2 step = kPinchDepth * setting.scale_at(at).gap / sine * bisectors[i];
     ends[i] = geometry::round_to_grid(p + step);
     for (const Point2 probe : {ends[i], geometry::round_to_grid(p + 2 * step)})
       filled[i] = filled[i] || part.perimeter.locate(probe) == geometry::Polygon::Side::inside;
@@ -57,7 +57,7 @@ Point2 seen_along(const geometry::Chart& chart, const CommonLine& line) {
 }
 
 Box3 common_box(const Setting& setting, const PolygonPart& a, const PolygonPart& b) {
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(setting.lambda);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(setting.largest_scale(a.box).lambda);
   return {a.box.min().cwiseMax(b.box.min()) - reach, a.box.max().cwiseMin(b.box.max()) + reach};
 }
 
@@ -95,24 +95,26 @@ class PinchSearch {
   }
 
   bool is_known(const Eigen::Vector3d& at) const {
+    const double lambda2 = setting_.scale_at(at).lambda2;
     return std::any_of(found_.begin(), found_.end(),
-                       [&](const Pinch& pinch) { return (pinch.at - at).squaredNorm() < setting_.lambda2; });
+                       [&](const Pinch& pinch) { return (pinch.at - at).squaredNorm() < lambda2; });
   }
 
   /// Are there others in a plane through the line, on both sides of the place? Where the polygon turns round
   /// the corner of a single other one, they are on one.
   bool ends_on_both_sides(const Eigen::Vector3d& at, const CommonLine& line) const {
-    return ends_at(at, at + kPinchArm * setting_.lambda * line.along) &&
-           ends_at(at, at - kPinchArm * setting_.lambda * line.along);
+    const Eigen::Vector3d arm = kPinchArm * setting_.scale_at(at).lambda * line.along;
+    return ends_at(at, at + arm) && ends_at(at, at - arm);
   }
   bool ends_at(const Eigen::Vector3d& at, const Eigen::Vector3d& beside) const {
     const Turn near = polygons_near(complex_, DirtyRegion(Box3(beside)), s_.slot);
+    const double close = setting_.scale_at(at).lambda / 4;
     return std::any_of(near.begin(), near.end(), [&](const auto& one) {
       const PolygonPart& other = *complex_.at(one.second).polygon;
       const geometry::Plane plane = other.plane();
       return sine_between(plane, part_.plane()) > setting_.sin_angle &&
-             std::abs(plane.height_of(at)) < setting_.lambda / 4 &&
-             std::abs(plane.height_of(beside)) < setting_.lambda / 4 && lies_near(setting_, other, beside);
+             std::abs(plane.height_of(at)) < close && std::abs(plane.height_of(beside)) < close &&
+             lies_near(setting_, other, beside);
     });
   }
 
@@ -125,13 +127,13 @@ class PinchSearch {
 
 /// A cut through the pinch; beside it, where that would meet a vertex, or a hole, or be rounded too much.
 std::optional<geometry::Cut> cut_near(Complex& complex, const geometry::Polygon& perimeter,
-                                      const Pinch& pinch) {
+                                      const Pinch& pinch, double gap) {
   const Point2 along = unit(pinch.to - pinch.from), across{-along.y, along.x};
   for (const double shift : {0., 1. / 256, -1. / 256, 1. / 32, -1. / 32, 1. / 8, -1. / 8, 1. / 4, -1. / 4}) {
-    const Point2 by = shift * complex.setting().gap * across;
+    const Point2 by = shift * gap * across;
     auto cut = geometry::cut_off(perimeter, geometry::round_to_grid(pinch.from + by),
                                  geometry::round_to_grid(pinch.to + by), complex.edge_ids());
-    if (cut && cut->length < kPinchWidth * complex.setting().gap) return cut;
+    if (cut && cut->length < kPinchWidth * gap) return cut;
   }
   return std::nullopt;
 }
@@ -139,8 +141,9 @@ std::optional<geometry::Cut> cut_near(Complex& complex, const geometry::Polygon&
 /// Cuts the polygon there. Returns the piece, or null.
 const Segment* cut_at(Complex& complex, const Segment& s, const Pinch& pinch) {
   const PolygonPart& part = *s.polygon;
-  auto cut = cut_near(complex, part.perimeter, pinch);
-  if (!cut || cut->piece.area() < kLeastPart * complex.setting().gap * complex.setting().gap) return nullptr;
+  const double gap = complex.setting().scale_at(pinch.at).gap;
+  auto cut = cut_near(complex, part.perimeter, pinch, gap);
+  if (!cut || cut->piece.area() < kLeastPart * gap * gap) return nullptr;
   geometry::Polygon rest = part.perimeter;
   geometry::EdgeIds unused = complex.edge_ids();
   rest.commit(cut->rest, unused);

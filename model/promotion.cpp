@@ -67,7 +67,8 @@ bool too_few_arrived(const Complex& complex, const Fit& fit, double since_sum) {
   const auto points = static_cast<double>(complex.now());
   const double waited = points - since_sum / fit.count;
   const double area =
-      12 * std::sqrt(fit.u1 * fit.u2) / complex.setting().lambda2;  // of a rectangle with these variances
+      12 * std::sqrt(fit.u1 * fit.u2) /
+      complex.setting().scale_at(fit.centroid).lambda2;  // of a rectangle with these variances
   const auto modelled = static_cast<double>(complex.modelled_points());
   return kArrivalShare * fit.count * complex.modelled_area() * points < waited * area * modelled;
 }
@@ -85,14 +86,14 @@ bool promotable(const Complex& complex, const Fit& fit, const SegmentData::Sums&
   const Rules& rules = setting.rules();
   if (!rules.promotion) {
     // Thesis §2.2: a polygon unless s_pt² < s_pp² or the points are collinear (two eigenvalues zero).
-    return fit.count >= 3 && fit.u3 < setting.lambda2 && fit.u2 > 1e-9 * fit.u1 && fit.u2 > 0 &&
-           faces_outside(fit.normal, sums.axis);
+    return fit.count >= 3 && fit.u3 < setting.scale_at(fit.centroid).lambda2 && fit.u2 > 1e-9 * fit.u1 &&
+           fit.u2 > 0 && faces_outside(fit.normal, sums.axis);
   }
   const double m = fit.count, v = sums.variance / fit.count;
   if (m < 5 || fit.u3 > 4 * v * (m - 3) / m || !normal_known(setting, fit, v)) return false;
   if (!faces_outside(fit.normal, sums.axis)) return false;
-  const double cos_80 = 0.17364817766693033;
-  if (-fit.normal.dot(sums.axis) < cos_80 * std::sqrt(sums.axis.dot(sums.axis))) return false;
+  const double cos_85 = 0.08715574274765817;
+  if (-fit.normal.dot(sums.axis) < cos_85 * std::sqrt(sums.axis.dot(sums.axis))) return false;
   if (rules.arrival && too_few_arrived(complex, fit, sums.since)) return false;
   if (!rules.chance) return true;
   const Fit firm = without_levers(setting, fit, raw, 1);
@@ -121,8 +122,9 @@ void promote(Complex& complex, const Segment& s, std::unique_ptr<PolygonPart> pa
   }
   std::stable_sort(points.begin(), points.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
+  const double gap = complex.setting().scale_at(s.fit.centroid).gap;
   for (const auto& [distance2, q] : points)
-    geometry::extend_to_point(part->perimeter, q, complex.setting().gap, complex.edge_ids());
+    geometry::extend_to_point(part->perimeter, q, gap, complex.edge_ids());
   part->perimeter.take_removed();  // none of these edges was on a segment yet
   complex.become_polygon(s, std::move(part));
 }

@@ -24,7 +24,7 @@ std::vector<std::vector<geometry::NewVertex>> projected(const geometry::Chart& t
 std::optional<geometry::Polygon> polygon_in(Complex& complex, const geometry::Chart& to,
                                             const geometry::Chart& from, const geometry::Lift& lift,
                                             const geometry::Polygon& polygon) {
-  const double gap = complex.setting().gap;
+  const double gap = complex.setting().scale_at(from.origin()).gap;
   auto cycles = projected(to, from, lift, polygon);
   if (auto result = geometry::Polygon::from_cycles(cycles, complex.edge_ids())) return result;
   if (geometry::restore_sides(cycles, polygon.boundary()))
@@ -62,7 +62,9 @@ void publish(Complex& complex, const Agenda& agenda, const Segment& s) {
   // has moved by more than a step is published.
   const double shift = largest_shift(lift, part.published, part.perimeter.box());
   complex.set_stale(s, false);
-  if (shift <= (agenda.finishing ? 1 : setting.gap / kPublishPart * setting.sin_angle)) return;
+  if (shift <=
+      (agenda.finishing ? 1 : setting.scale_at(s.fit.centroid).gap / kPublishPart * setting.sin_angle))
+    return;
   complex.set_stale(s, s.count() > 0 && !faces_outside(s.fit.normal, s.data.axis_sum()));
   if (part.stale) return;
   complex.with_ends_apart([&] {
@@ -80,7 +82,7 @@ void publish(Complex& complex, const Agenda& agenda, const Segment& s) {
 
 bool differs_from_initial(const Setting& setting, const PolygonPart& part, const Fit& fit) {
   return part.initial.normal.dot(fit.normal) < setting.cos_angle ||
-         std::abs(part.initial.height_of(fit.centroid)) > setting.lambda;
+         std::abs(part.initial.height_of(fit.centroid)) > setting.scale_at(fit.centroid).lambda;
 }
 
 void refit(Complex& complex, const Agenda& agenda, const Segment& s) {
@@ -98,7 +100,8 @@ void refit(Complex& complex, const Agenda& agenda, const Segment& s) {
 
 bool variance_allowed(const Setting& setting, const PolygonPart& part, const Moments& merged) {
   // The margin makes it true in exact arithmetic, too.
-  return merged.squared_residual(part.published.plane(part.chart), setting.step) < 0.999 * setting.lambda2;
+  return merged.squared_residual(part.published.plane(part.chart), setting.step) <
+         0.999 * setting.scale_at(merged.centroid(setting.step)).lambda2;
 }
 
 std::optional<geometry::Polygon> in_chart(Complex& complex, const geometry::Chart& chart,

@@ -27,8 +27,8 @@ struct Passage {
 
 /// `ray` leads from the reading to the sensor, which is `range` away. `clear`: how far the reading must be
 /// behind the plane, and the sensor before it.
-std::optional<Passage> passage_of(const Segment& s, const SpatialIndex::Ray& ray, double range, double clear,
-                                  double gap) {
+std::optional<Passage> passage_of(const Setting& setting, const Segment& s, const SpatialIndex::Ray& ray,
+                                  double range, double clear) {
   const Lifted polygon(*s.polygon);
   const Vector3d place = polygon.place(ray.from), along = polygon.direction(ray.axis);
   const double step = s.polygon->chart.step(), rise = polygon.rise(place), climb = polygon.climb(along),
@@ -39,7 +39,8 @@ std::optional<Passage> passage_of(const Segment& s, const SpatialIndex::Ray& ray
   if (!s.indexed.contains(at)) return std::nullopt;
   const geometry::Point2 p = geometry::round_to_grid({place.x() + t * along.x(), place.y() + t * along.y()});
   const bool through =
-      polygon.inside(p) && !geometry::nearest_perimeter_point(polygon.perimeter(), p, kPassedInside * gap);
+      polygon.inside(p) &&
+      !geometry::nearest_perimeter_point(polygon.perimeter(), p, kPassedInside * setting.scale_at(at).gap);
   return Passage{&s, at, through};
 }
 
@@ -68,9 +69,10 @@ void note_passages(Engine& e, const RawPoint& raw, double range) {
   if (!e.setting.rules().rays || !(range > 0) || !std::isfinite(range)) return;
   const std::int64_t stride = stride_of(e.complex);
   if (!is_looked_at(e.complex.now(), stride)) return;
-  const double clear = std::max(
-      {e.setting.parameters.tolerance, kPassedBehind * e.setting.lambda, 3 * std::sqrt(raw.variance)});
   const SpatialIndex::Ray ray{e.setting.world(raw.at), -raw.axis};
+  const double clear =
+      std::max({e.setting.parameters.tolerance, kPassedBehind * e.setting.scale_at(ray.from).lambda,
+                3 * std::sqrt(raw.variance)});
   std::vector<Passage> passages;
   const double slack = 2 * rounding_near(e.complex, Box3(ray.from));
   e.complex.polygons().walk(ray, range, slack, [&](std::uint32_t slot, double begin, double end) {
@@ -80,7 +82,7 @@ void note_passages(Engine& e, const RawPoint& raw, double range) {
     const bool is_new =  // several cells of a piece may have it
         std::none_of(passages.begin(), passages.end(), [&](const Passage& one) { return one.segment == &s; });
     if (is_new)
-      if (const auto passage = passage_of(s, ray, range, clear, e.setting.gap)) passages.push_back(*passage);
+      if (const auto passage = passage_of(e.setting, s, ray, range, clear)) passages.push_back(*passage);
     return range;
   });
   for (const Passage& passage : passages) {

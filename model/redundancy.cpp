@@ -22,19 +22,23 @@ bool lies_on(const Setting& setting, const Segment& other, const Eigen::Vector3d
   return other.polygon->outward.dot(normal) > kSameWay && lies_near(setting, *other.polygon, p);
 }
 
+/// The area of a polygon in λ², and the diagonal of its box in λ.
+std::pair<double, double> size_of(const Setting& setting, const PolygonPart& part) {
+  const Scale scale = setting.scale_at(part.box.center());
+  return {part.perimeter.area() / (scale.gap * scale.gap), part.box.diagonal().norm() / scale.lambda};
+}
+
 /// Is the polygon only a patch or a sliver? A larger and wider one is a surface of its own, however near
 /// others are.
 bool is_small(const Setting& setting, const PolygonPart& part) {
-  const double area = part.perimeter.area() / (setting.gap * setting.gap),
-               length = part.box.diagonal().norm() / setting.lambda;
+  const auto [area, length] = size_of(setting, part);
   return area < kYoungArea || area < 1.5 * length;
 }
 
 /// Is the polygon hardly wider than nothing? Then it may be a sliver across an edge, however many points it
 /// has, and although it shares edges with the faces there.
 bool is_thin(const Setting& setting, const PolygonPart& part) {
-  const double area = part.perimeter.area() / (setting.gap * setting.gap),
-               length = part.box.diagonal().norm() / setting.lambda;
+  const auto [area, length] = size_of(setting, part);
   return length > kLeastSliver && area < kSliverWidth * length;
 }
 

@@ -87,8 +87,7 @@ class Repositioning {
       if (!point) return false;
       to = *point;
     }
-    const double lambda = complex_.setting().lambda;
-    if ((to - from).squaredNorm() >= lambda * lambda) return false;
+    if ((to - from).squaredNorm() >= complex_.setting().scale_at(from).lambda2) return false;
     moves_[a.slot][vertex] = geometry::round_to_grid(a.polygon->chart.project(to));
     return true;
   }

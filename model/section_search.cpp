@@ -49,18 +49,28 @@ std::optional<PairOfChains> chains_of_both(const Complex& complex, const Segment
 
 SectionSearch::SectionSearch(const Complex& complex, const Segment& a, const Segment& b,
                              const CommonLine& line, const SharingReach& reach, const PairOfChains& chains)
-    : complex_(complex), a_(a), b_(b), line_(line), sign_(chains.concavity == Concavity::convex ? 1 : -1) {
+    : complex_(complex),
+      a_(a),
+      b_(b),
+      line_(line),
+      sign_(chains.concavity == Concavity::convex ? 1 : -1),
+      reach_(reach),
+      neighbours_(!complex.edges_between(a, b).empty()) {
   for (const LineChain& chain : chains.of_a) chains_p_.push_back(turned(chain, false, sign_));
   for (const LineChain& chain : chains.of_b) chains_q_.push_back(turned(chain, true, sign_));
   beyond_p_ = beyond_line(chains_p_);
   beyond_q_ = beyond_line(chains_q_);
+}
+
+/// Sets what follows from λ, as it is between two places on L.
+void SectionSearch::set_scale(double low, double high) {
+  const Setting& setting = complex_.setting();
+  lambda_ = setting.scale_at(line_.at(sign_ * (low + high) / 2)).lambda;
+  at_angle_ = reach_.at_angle(lambda_, setting.parameters.tolerance, line_.sine);
+  overshoot_ = reach_.section > 1 ? lambda_ : 0;
   // The first shared edge has to be long: at the apex of a pyramid, opposite faces also come within λ of
   // their line, for about that length.
-  const bool neighbours = !complex.edges_between(a, b).empty();
-  at_angle_ = reach.at_angle(complex.setting(), line.sine);
-  overshoot_ = reach.section > 1 ? complex.setting().lambda : 0;
-  least_length_ =
-      neighbours ? kLeastSharedSteps * complex.setting().step : reach.least * complex.setting().lambda;
+  least_length_ = neighbours_ ? kLeastSharedSteps * setting.step : reach_.least * lambda_;
 }
 
 bool SectionSearch::run(SectionUser& user) {
@@ -95,22 +105,23 @@ bool SectionSearch::goes_on_beyond(double begin, double end) const {
 }
 
 bool SectionSearch::form(const LineChain& p, const LineChain& q) {
+  const auto [low_p, high_p] = range(p);
+  const auto [low_q, high_q] = range(q);
+  const double low = std::max(low_p, low_q), high = std::min(high_p, high_q);
+  set_scale(low, high);
   // turned() has made places increase along the direction of L, and offsets positive on the inside.
   const Eigen::Vector3d along = sign_ * line_.along;
   p_ = {
       &a_, &p, false, at_angle_, line_.origin, along, sign_ * a_.polygon->plane().normal.cross(line_.along)};
   q_ = {
       &b_, &q, true, at_angle_, line_.origin, along, -sign_ * b_.polygon->plane().normal.cross(line_.along)};
-  const auto [low_p, high_p] = range(p);
-  const auto [low_q, high_q] = range(q);
-  const double low = std::max(low_p, low_q), high = std::min(high_p, high_q);
   if (high - low < least_length_) {
     if (low < high) user_->refused(p_, q_, low, high, Refusal::short_section);
     return false;
   }
   places_ = {low, high};
   // Sections that end a little earlier, too: tiny edges around an apex may be in the way.
-  const double trimmed = complex_.setting().lambda / 8;
+  const double trimmed = lambda_ / 8;
   if (overshoot_ > 0 && high - low > 4 * trimmed)
     places_.insert(places_.end(), {low + trimmed, high - trimmed});
   for (const LineChain* chain : {&p, &q})

@@ -54,6 +54,7 @@ class SectionSearch {
   };
   static std::vector<Beyond> beyond_line(const std::vector<LineChain>&);
   bool goes_on_beyond(double begin, double end) const;
+  void set_scale(double low, double high);
   bool form(const LineChain& p, const LineChain& q);
   bool form_between(std::size_t low, std::size_t high);
   bool form_section(double begin, double end);
@@ -65,9 +66,12 @@ class SectionSearch {
   const Segment &a_, &b_;
   const CommonLine& line_;
   double sign_;
-  double least_length_;  ///< least length of L, scan's unit
-  double at_angle_;      ///< SharingReach::at_angle() of the line
-  double overshoot_;     ///< by which sections between ends of shared edges may overshoot them, scan's unit
+  SharingReach reach_;
+  bool neighbours_;          ///< do the two share edges already?
+  double lambda_ = 0;        ///< between the chains that are tried, scan's unit, as the following
+  double least_length_ = 0;  ///< least length of L
+  double at_angle_ = 0;      ///< SharingReach::at_angle() of the line
+  double overshoot_ = 0;     ///< by which sections between ends of shared edges may overshoot them
   std::vector<LineChain> chains_p_, chains_q_;
   std::vector<Beyond> beyond_p_, beyond_q_;
   SectionUser* user_ = nullptr;

@@ -95,7 +95,9 @@ Content content_of(const Side& side, const Section& section) {
 
 bool gives_way(const Complex& complex, const Side& side, const Section& section) {
   const Setting& setting = complex.setting();
-  const double lambda = setting.lambda, near = lambda / 4;
+  const Scale scale =
+      setting.scale_at(side.origin + (section.begin.place + section.end.place) / 2 * side.along);
+  const double lambda = scale.lambda, near = lambda / 4;
   const bool all_felt = side.segment->polygon->all_felt();
   // However empty it may be by chance, nothing reaches out to a line much farther than it then lies on it,
   // unless it lies there on both sides already.
@@ -121,7 +123,8 @@ bool gives_way(const Complex& complex, const Side& side, const Section& section)
     const double steps2 = area / (setting.step * setting.step);
     const bool bay_goes = highest <= 0 || (highest < lambda && all_felt) ||
                           (highest < deepest && chance_explains(complex, *side.segment, bay)),
-               spur_goes = lowest > -side.reach || is_spur(setting, -steps2, -lowest / setting.step);
+               spur_goes = lowest > -side.reach ||
+                           is_spur(setting.rules(), scale.gap, -steps2, -lowest / setting.step);
     area = highest = lowest = 0;
     begin_at(last);
     return bay_goes && spur_goes;

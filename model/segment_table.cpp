@@ -4,8 +4,8 @@
 namespace limpet::model::internal {
 
 SegmentTable::SegmentTable(const Setting& setting)
-    : polygons_(8 * setting.lambda),    // boxes are 4 λ and 1.2 times the polygon wide (reindex())
-      points_(2.6 * setting.lambda) {}  // boxes are 2.5 λ wide
+    : polygons_(8 * setting.least.lambda),    // boxes are 4 λ and 1.2 times the polygon wide (reindex())
+      points_(2.6 * setting.least.lambda) {}  // boxes are 2.5 λ wide
 
 const Segment* SegmentTable::find(SegmentId id) const {
   const auto entry = slot_of_.find(id.value);
@@ -50,8 +50,8 @@ void SegmentTable::rename(Segment& s) {
 
 void SegmentTable::reindex(const Setting& setting, Segment& s) {
   // Boxes reach λ beyond their segments, and some slack more, so that most growth leaves the index alone.
-  const double reach = setting.lambda;
   const Box3 tight = s.polygon ? s.polygon->box : box_around(s.fit.centroid, 0);
+  const double reach = setting.largest_scale(tight).lambda;
   const Box3 needed(tight.min() - Eigen::Vector3d::Constant(reach),
                     tight.max() + Eigen::Vector3d::Constant(reach));
   if (s.indexed_as_polygon == bool(s.polygon) && !s.indexed.isEmpty() && s.indexed.contains(needed)) return;

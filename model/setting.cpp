@@ -1,13 +1,17 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include "setting_internal.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "series_internal.hpp"
 
 namespace limpet::model::internal {
 namespace {
+
+constexpr std::size_t kMostSensors = 64;
 
 void require_parameter(bool good, const char* what) {
   if (!good) throw std::invalid_argument(what);
@@ -33,13 +37,24 @@ Setting::Setting(const Parameters& p) : parameters(p) {
   require_parameter(p.outlier_patience >= 0,
                     "the patience with outliers must be a number of sensor points, 0 or more");
   require_parameter(p.resolution > 1e-150 && p.resolution < 1e150, "the linear resolution is out of range");
-  lambda = p.resolution;
-  lambda2 = p.resolution * p.resolution;
+  require_parameter(p.resolution_per_range >= 0 && p.resolution_per_range <= 0.25,
+                    "what the resolution grows by with the range must be 0 to 0.25");
+  require_parameter(p.resolution_per_range == 0 || (!p.sensors.empty() && p.sensors.size() <= kMostSensors),
+                    "a resolution that grows with the range needs the places of 1 to 64 sensors");
+  for (const Eigen::Vector3d& at : p.sensors)
+    require_parameter(at.allFinite(), "a sensor stands nowhere: its place is not finite");
   step = geometry::grid_step_for(p.resolution);
+  least = scale_of(p.resolution);
   rounding = step * step + p.input_quantum * p.input_quantum;
-  gap = p.resolution / step;
   cos_angle = cosine(p.angle_rad);
   sin_angle = std::sqrt(1 - cos_angle * cos_angle);
+}
+
+Scale Setting::grown_at(const Eigen::Vector3d& place, double within) const {
+  double range2 = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& sensor : parameters.sensors)
+    range2 = std::min(range2, (place - sensor).squaredNorm());
+  return scale_of(parameters.resolution + parameters.resolution_per_range * (std::sqrt(range2) + within));
 }
 
 }  // namespace limpet::model::internal

@@ -82,13 +82,14 @@ bool may_share(const Agenda& agenda, const Segment& s) {
 
 /// The parts of a window where the line comes near the changed places, extended by kSectionReachOn at both
 /// ends.
-std::vector<LineWindow> changed_windows(double lambda, const SharingReach& sharing, const CommonLine& line,
-                                        const LineWindow& window, const DirtyRegion& places) {
-  const double on = kSectionReachOn * lambda;
+std::vector<LineWindow> changed_windows(const Setting& setting, const SharingReach& sharing,
+                                        const CommonLine& line, const LineWindow& window,
+                                        const DirtyRegion& places) {
   std::vector<LineWindow> result;
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(sharing.section * lambda);
   for (const Box3& box : places.boxes()) {
     LineWindow piece = window;
+    const double lambda = setting.largest_scale(box).lambda, on = kSectionReachOn * lambda;
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(sharing.section * lambda);
     if (!clip(piece, line, Box3(box.min() - reach, box.max() + reach))) continue;
     result.push_back({std::max(window.begin, piece.begin - on), std::min(window.end, piece.end + on)});
   }
@@ -119,8 +120,7 @@ bool share_pair(Complex& complex, Agenda& agenda, const Segment& a, const Segmen
   if (!line) return false;
   int count = 0;
   bool attempted = false, disordered = false;
-  for (const LineWindow& piece :
-       changed_windows(setting.lambda, agenda.sharing, line->line, line->window, places))
+  for (const LineWindow& piece : changed_windows(setting, agenda.sharing, line->line, line->window, places))
     while (count < kMaxPairsFormed && !disordered) {
       const Formed formed = share_once(complex, agenda, a, b, line->line, piece);
       attempted |= formed != Formed::not_near;

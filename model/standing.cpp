@@ -30,25 +30,27 @@ double residual_limit(const Setting& setting, const Segment& polygon, const Eige
 Standing standing(const Setting& setting, const Segment& s, const Eigen::Vector3d& p,
                   const Eigen::Vector3d& axis, double squared_residual, double variance) {
   Standing result;
+  const Scale scale = setting.scale_at(p);
   const double height = s.fit.height_of(p);
-  if (height * height >= setting.lambda2 || axis.dot(s.fit.normal) > 0) return result;
+  if (height * height >= scale.lambda2 || axis.dot(s.fit.normal) > 0) return result;
   if (setting.rules().residual && squared_residual > residual_limit(setting, s, p, variance)) return result;
   const PolygonPart& part = *s.polygon;
   result.chart_point = geometry::round_to_grid(part.chart.project(p));
   result.outside = part.perimeter.locate(result.chart_point) == geometry::Polygon::Side::outside;
   result.distance2 = height * height;
+  result.gap = scale.gap;
   if (setting.relief_kept() && s.mature_polygon() && squared_residual > noise_limit(s, p, variance)) {
     const auto local = local_residual(setting, s, p);
     if (!local || local->height * local->height > 9 * (variance + local->variance) + local->bend2)
       return result;
   }
   if (result.outside) {
-    const auto nearest = geometry::nearest_perimeter_point(part.perimeter, result.chart_point, setting.gap);
+    const auto nearest = geometry::nearest_perimeter_point(part.perimeter, result.chart_point, scale.gap);
     if (!nearest) return result;
     result.perimeter_distance = std::sqrt(nearest->squared_distance);
     result.distance2 += nearest->squared_distance * setting.step * setting.step;
   }
-  result.near = result.distance2 < setting.lambda2;
+  result.near = result.distance2 < scale.lambda2;
   return result;
 }
 
@@ -65,7 +67,7 @@ bool lies_on_initial(const Setting& setting, const Segment& initial, const Eigen
   const double height = initial.fit.height_of(p), height2 = height * height;
   // The plane is given, so it has no variance of its own, unlike in residual_limit().
   const double limit2 = std::max(9 * variance, setting.parameters.tolerance * setting.parameters.tolerance);
-  if (height2 > limit2 || height2 >= setting.lambda2) return false;
+  if (height2 > limit2 || height2 >= setting.scale_at(p).lambda2) return false;
   if (!faces_outside(initial.fit.normal, axis)) return false;
   const PolygonPart& part = *initial.polygon;
   return part.perimeter.locate(geometry::round_to_grid(part.chart.project(p))) !=

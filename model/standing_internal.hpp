@@ -12,6 +12,7 @@ struct Standing {
   double distance2 = 0;           ///< squared distance from the polygon, scan's unit
   bool outside = false;           ///< outside the perimeter, in the chart
   double perimeter_distance = 0;  ///< in the chart, grid steps; when outside
+  double gap = 0;                 ///< λ there, grid steps
   geometry::Point2 chart_point;
 };
 /// The standing of data centred at p (world), given the sum of its sensing axes, its mean squared residual

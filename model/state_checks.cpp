@@ -81,7 +81,7 @@ void require_segment(const Engine& e, const Segment& s) {
   for (const RawPoint& raw : s.data.raw()) require_raw_point(e, raw);
   require_state(s.indexed_as_polygon == bool(s.polygon) && !s.indexed.isEmpty(),
                 "has a segment that is not found");
-  const double farthest = 0x1p60 * e.setting.lambda;
+  const double farthest = 0x1p60 * e.setting.least.lambda;
   require_state(s.indexed.min().minCoeff() > -farthest && s.indexed.max().maxCoeff() < farthest,
                 "has a segment too far away");
   require_state(Storage::has_polygon_due(e.agenda, s.slot) == bool(s.polygon),

@@ -29,8 +29,8 @@ Addition filling(const PolygonPart& part, const geometry::Polygon::Cycle& hole) 
 
 }  // namespace
 
-bool is_spur(const Setting& setting, double area, double depth) {
-  return setting.rules().spurs && std::abs(area) < setting.gap / 2 * std::max(depth, 2 * setting.gap);
+bool is_spur(const Rules& rules, double gap, double area, double depth) {
+  return rules.spurs && std::abs(area) < gap / 2 * std::max(depth, 2 * gap);
 }
 
 bool drop_chance_holes(Complex& complex, const Segment& s) {

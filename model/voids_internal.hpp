@@ -14,7 +14,7 @@ namespace limpet::model::internal {
 /// there were any.
 bool drop_chance_holes(Complex&, const Segment&);
 /// Is a part of a polygon beyond a line so thin, or so small, that it is no surface at this resolution (rule
-/// `spurs`)? `depth`: how far it reaches. Lengths in grid steps.
-bool is_spur(const Setting&, double area, double depth);
+/// `spurs`)? `gap`: λ there; `depth`: how far it reaches. Lengths in grid steps.
+bool is_spur(const Rules&, double gap, double area, double depth);
 
 }  // namespace limpet::model::internal

@@ -29,8 +29,7 @@ double squared_distance(const Piece& piece, const Eigen::Vector3d& p) {
 /// The edges of a finished model, by place.
 class Finished {
  public:
-  explicit Finished(const Complex& complex)
-      : index_(complex.setting().lambda), lambda_(complex.setting().lambda) {
+  explicit Finished(const Complex& complex) : setting_(complex.setting()), index_(setting_.least.lambda) {
     complex.segments().for_each([&](const Segment& s) {
       if (!s.polygon) return;
       for_each_edge(s.polygon->perimeter, [&](Slot slot) {
@@ -45,8 +44,9 @@ class Finished {
   /// The edge nearest to p within λ, on this segment, or on any if `on` is none.
   std::optional<EdgeId> nearest(const Eigen::Vector3d& p, SegmentId on) const {
     std::vector<std::uint32_t> found;
-    index_.query(box_around(p, lambda_), found);
-    std::pair<double, EdgeId> best{lambda_ * lambda_, {}};
+    const Scale scale = setting_.scale_at(p);
+    index_.query(box_around(p, scale.lambda), found);
+    std::pair<double, EdgeId> best{scale.lambda2, {}};
     for (const std::uint32_t i : found)
       if (!on || edges_[i].segment == on)
         best = std::min(best, std::pair(squared_distance(edges_[i].piece, p), edges_[i].edge));
@@ -59,9 +59,9 @@ class Finished {
     EdgeId edge;
     Piece piece;
   };
+  const Setting& setting_;
   std::vector<Edge> edges_;
   SpatialIndex index_;
-  double lambda_;
 };
 
 void add_open_edges(const Segment& s, std::vector<Outcome::Left>& left) {

@@ -35,8 +35,7 @@ void TurningScanner::send(double pitch, const Send& send) const {
     for (double angle = 0; angle < kAround; angle += pitch, around = turned(around, turn)) {
       Direction upwards = kLowest;
       for (double height = 0; height < kUpwards; height += pitch, upwards = turned(upwards, turn))
-        send(viewpoint,
-             {upwards.real() * around.real(), upwards.real() * around.imag(), upwards.imag()});
+        send(viewpoint, {upwards.real() * around.real(), upwards.real() * around.imag(), upwards.imag()});
     }
   }
 }

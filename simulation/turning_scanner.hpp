@@ -6,9 +6,9 @@
 
 namespace limpet::simulation {
 
-/// A terrestrial laser scanner at each of several viewpoints, upright (z): it sends rays at equal angles along
-/// a vertical half circle, from 60° below the horizon (below is its tripod) to the zenith, turns about the
-/// vertical axis by the same angle, and so on all around. The pitch is that angle in radians.
+/// A terrestrial laser scanner at each of several viewpoints, upright (z): it sends rays at equal angles
+/// along a vertical half circle, from 60° below the horizon (below is its tripod) to the zenith, turns about
+/// the vertical axis by the same angle, and so on all around. The pitch is that angle in radians.
 class TurningScanner : public ScanPattern {
  public:
   TurningScanner(const Mesh& mesh, const std::vector<Eigen::Vector3d>& viewpoints)

@@ -37,6 +37,10 @@ class LookAhead {
   throw TooFewPoints(points.name(), "too few points lie on a surface to choose a resolution; give one");
 }
 
+ResolutionLaw rounded(const ResolutionLaw& resolution) {
+  return {io::short_number(resolution.fixed), io::short_number(resolution.per_range)};
+}
+
 NoiseLaw rounded(const NoiseLaw& noise) {
   return {io::short_number(noise.fixed), io::short_number(noise.per_range),
           io::short_number(noise.per_range2)};
@@ -48,12 +52,18 @@ void set_noise(model::Parameters& parameters, const NoiseLaw& noise) {
   parameters.noise_per_range2 = noise.per_range2;
 }
 
+ResolutionLaw resolution_of(const model::Parameters& parameters) {
+  return {parameters.resolution, parameters.resolution_per_range};
+}
+
 NoiseLaw noise_of(const model::Parameters& parameters) {
   return {parameters.noise, parameters.noise_per_range, parameters.noise_per_range2};
 }
 
 std::string resolution_reason(const Choice& choice) {
   if (choice.known.resolution || !choice.estimate) return "given";
+  if (resolution_of(choice.parameters).varies())
+    return "by the space between points, which grows with the range";
   const ResolutionBounds bounds = resolution_bounds(*choice.estimate, noise_of(choice.parameters));
   if (bounds.largest() == bounds.noise) return "ten times the least noise, or five times the greatest";
   if (bounds.largest() == bounds.density)
@@ -70,7 +80,7 @@ std::string noise_reason(const Choice& choice) {
 
 std::string tolerance_reason(const Choice& choice) {
   if (choice.known.tolerance) return "given";
-  return choice.parameters.tolerance > io::short_number(choice.parameters.resolution / 5)
+  return choice.parameters.tolerance > io::short_number(choice.order_cell / 5)
              ? "three times the noise, where it is greatest"
              : "a fifth of the resolution";
 }
@@ -96,20 +106,26 @@ Choice choose(PointStream& points, const Known& known) {
   choice.parameters = known.others;
   const NoiseLaw noise = known.noise ? *known.noise : rounded(ahead.estimate().noise);
   set_noise(choice.parameters, noise);
+  if (known.resolution && known.resolution->varies() && points.first()->point.range == 0)
+    throw io::InputError(
+        points.name(), "does not say from how far its points were sensed; give the resolution as one number");
   if (!known.resolution && !(ahead.estimate().area_per_point > 0)) refuse_few_points(points);
-  choice.parameters.resolution =
-      known.resolution ? *known.resolution : io::short_number(suitable_resolution(ahead.estimate(), noise));
+  const ResolutionLaw resolution =
+      known.resolution ? *known.resolution : rounded(suitable_resolution(ahead.estimate(), noise));
+  choice.parameters.resolution = resolution.fixed;
+  choice.parameters.resolution_per_range = resolution.per_range;
+  if (resolution.varies()) choice.parameters.sensors = ahead.estimate().sensors;
+  choice.order_cell = resolution.varies() ? resolution.at(ahead.estimate().near_range) : resolution.fixed;
   if (known.tolerance) {
     choice.parameters.tolerance = *known.tolerance;
   } else {
     const double far_noise = noise.varies() ? noise.at(ahead.estimate().far_range) : noise.fixed;
-    choice.parameters.tolerance =
-        io::short_number(suitable_tolerance(far_noise, choice.parameters.resolution));
+    choice.parameters.tolerance = io::short_number(suitable_tolerance(far_noise, choice.order_cell));
   }
   if (!points.has_axes()) {
     const Estimate& found = ahead.estimate();
-    choice.voxel_edge = Orientation::suitable_edge(found.area_per_point, found.noise.at(found.far_range),
-                                                   choice.parameters.resolution);
+    choice.voxel_edge =
+        Orientation::suitable_edge(found.area_per_point, found.noise.at(found.far_range), choice.order_cell);
   }
   choice.estimate = ahead.found();
   choice.points = ahead.count();
@@ -118,7 +134,7 @@ Choice choose(PointStream& points, const Known& known) {
 
 std::string explanation(const Choice& choice) {
   const model::Parameters& parameters = choice.parameters;
-  return "resolution " + io::short_text(parameters.resolution) + ": " + resolution_reason(choice) + "\n" +
+  return "resolution " + short_text(resolution_of(parameters)) + ": " + resolution_reason(choice) + "\n" +
          "noise " + short_text(noise_of(parameters)) + ": " + noise_reason(choice) + "\n" + "tolerance " +
          io::short_text(parameters.tolerance) + ": " + tolerance_reason(choice) + "\n";
 }

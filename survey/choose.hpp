@@ -7,6 +7,7 @@
 #include <limpet/survey/estimate.hpp>
 #include <limpet/survey/noise_law.hpp>
 #include <limpet/survey/point_stream.hpp>
+#include <limpet/survey/resolution_law.hpp>
 #include <optional>
 #include <string>
 
@@ -16,7 +17,7 @@
 ///     const survey::Choice choice = survey::choose(points);
 ///     if (!points.has_axes()) points.orient(choice.voxel_edge);
 ///     model::Model model(choice.parameters);
-///     survey::OrderedPoints ordered(points, {.cell = choice.parameters.resolution});
+///     survey::OrderedPoints ordered(points, {.cell = choice.order_cell});
 ///     std::vector<model::SensorPoint> set;
 ///     while (ordered.next_set(set)) model.update(set);
 ///     model.finish();
@@ -26,7 +27,7 @@ namespace limpet::survey {
 
 /// What is known of a scan beforehand, lengths in the scan's unit. What is left out is chosen from the scan.
 struct Known {
-  std::optional<double> resolution{};  ///< λ
+  std::optional<ResolutionLaw> resolution{};  ///< λ
   std::optional<NoiseLaw> noise{};
   std::optional<double> tolerance{};  ///< how far from its plane a surface may be
   /// All that no scan tells. The resolution, noise and tolerance in it are not looked at.
@@ -42,6 +43,7 @@ struct Choice {
   /// Of the voxels by which a scan without sensing axes is oriented (PointStream::orient()), scan's unit; 0:
   /// the scan says its axes.
   double voxel_edge = 0;
+  double order_cell = 0;  ///< of the curve along which the scan is put in order (Ordering::cell), scan's unit
   std::int64_t points = -1;  ///< how many points the scan has; -1: not known
 };
 
@@ -51,11 +53,12 @@ class TooFewPoints : public io::InputError {
 };
 
 /// Chooses λ, the noise and the tolerance, as far as they are not known, from the first two million points;
-/// the points are still all to be read afterwards. Of a pipe, nothing is modelled before so many have come:
-/// give resolution and noise for one that never ends. What is chosen has four significant digits, so that it
-/// can be printed and given again. The same scan gives the same choice. Precondition: nothing of the stream
-/// has been read. Errors: io::InputError when the scan holds no point, or when the noise is known to grow
-/// with the range but the scan does not say its points' ranges; TooFewPoints.
+/// the points are still all to be read afterwards. So are the places of the sensors, where λ grows with the
+/// range. Of a pipe, nothing is modelled before so many have come: give resolution and noise for one that
+/// never ends. What is chosen has four significant digits, so that it can be printed and given again. The
+/// same scan gives the same choice. Precondition: nothing of the stream has been read. Errors: io::InputError
+/// when the scan holds no point, or when the noise or λ is known to grow with the range but the scan does not
+/// say its points' ranges; TooFewPoints.
 Choice choose(PointStream& points, const Known& known = {});
 
 /// Throws io::InputError when the scan holds no point. Precondition: nothing has been read yet.

@@ -5,6 +5,7 @@
 #include <limpet/survey/estimate.hpp>
 #include <limpet/survey/noise_law.hpp>
 #include <limpet/survey/rounded_depths.hpp>
+#include <limpet/survey/sensor_places.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -27,9 +28,16 @@ using Box = bg::model::box<Point>;
 using PointTree = bgi::rtree<std::pair<Point, std::uint32_t>, bgi::rstar<16>>;
 using BoxTree = bgi::rtree<std::pair<Box, std::uint32_t>, bgi::rstar<16>>;
 
-constexpr std::size_t kCentres = 1000;
+constexpr std::size_t kCentres = 1000, kMostSensors = 64;
+constexpr double kSparseShare = 0.05;  ///< of the surface, which is its sparse part
+/// Points to λ² there, where λ grows with the range. With three of them, far walls of rooms came to pieces.
+constexpr double kSparsePoints = 5;
 constexpr int kNeighbours = 16;
 constexpr double kFlat = 0.15;  ///< thickness over radius below which a neighbourhood is a surface
+
+/// Of the angle of incidence: below the one a neighbourhood says nothing of the noise, below the other
+/// nothing.
+constexpr double kNoiseCosine = 0.2, kLeastCosine = 0.05;
 
 constexpr std::int64_t kRoundedShare = 50;  ///< depths are rounded if one neighbourhood in so many shows it
 
@@ -47,6 +55,9 @@ struct Patch {
   double area_per_point = 0;
   DepthNoise noise;
   double range = 0;
+  double cosine = 1;       ///< of the angle at which it was seen
+  double finest_area = 0;  ///< per point, at the finest scale at which it is flat, grazing or not
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double thickness = 0;
 };
@@ -85,10 +96,11 @@ std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis,
   if (thickness > kFlat * around.radius || found.variances[1] < 0.05 * found.variances[2])
     return std::nullopt;
   const double cosine = has_axis ? std::abs(found.thinnest.dot(axis)) : 1;
-  if (cosine < 0.2) return std::nullopt;
+  if (cosine < kLeastCosine) return std::nullopt;
   // The centre is one of the points: of the others there are m - 1 in the disc.
   const double others = static_cast<double>(around.points.size() - 1) * around.weight;
   Patch patch;
+  patch.cosine = cosine;
   patch.area_per_point = M_PI * around.radius * around.radius / others;
   patch.noise = noise_of(around.points, has_axis ? axis : found.thinnest, thickness / cosine, rounded);
   patch.normal = found.thinnest;
@@ -143,7 +155,7 @@ double mean(const std::vector<double>& values) {
 /// The area per point that is exceeded on 5 % of the surface. Each value is also the area its point stands
 /// for.
 double sparse(const std::vector<double>& ascending) {
-  double left = 0.05 * mean(ascending) * static_cast<double>(ascending.size());
+  double left = kSparseShare * mean(ascending) * static_cast<double>(ascending.size());
   for (auto at = ascending.rbegin(); at != ascending.rend(); ++at) {
     left -= *at;
     if (left <= 0) return *at;
@@ -154,13 +166,23 @@ double sparse(const std::vector<double>& ascending) {
 /// The finest scale at which the neighbourhood of a centre is flat; an empty patch where there is none.
 Patch first_flat(const Neighbourhood& fine, const Coarse& coarse, const model::SensorPoint& centre,
                  const RoundedDepths& rounded) {
-  std::optional<Patch> patch = patch_of(fine, centre.axis, rounded);
-  for (int count = kNeighbours; !patch && count <= 64 * kNeighbours; count *= 4) {
-    patch = patch_of(coarse.nearest(centre, count), centre.axis, rounded);
-  }
-  if (!patch) return {};
-  patch->range = centre.range;
-  return *patch;
+  Patch found;
+  found.range = centre.range;
+  found.at = centre.position;
+  // Returns whether this says all there is to know.
+  const auto take = [&](const std::optional<Patch>& patch) {
+    if (!patch) return false;
+    if (found.finest_area == 0) found.finest_area = patch->area_per_point;
+    if (patch->cosine < kNoiseCosine) return false;
+    found.area_per_point = patch->area_per_point;
+    found.cosine = patch->cosine, found.noise = patch->noise, found.normal = patch->normal,
+    found.thickness = patch->thickness;
+    return true;
+  };
+  bool done = take(patch_of(fine, centre.axis, rounded));
+  for (int count = kNeighbours; !done && count <= 64 * kNeighbours; count *= 4)
+    done = take(patch_of(coarse.nearest(centre, count), centre.axis, rounded));
+  return found;
 }
 
 std::vector<std::size_t> centres_of(const Sampled& sample) {
@@ -193,6 +215,28 @@ std::vector<Patch> look_at(const Sampled& sample, const std::vector<std::size_t>
   return rounded ? look(*rounded) : patches;
 }
 
+/// See Estimate::sparse_per_range.
+double sparse_per_range(const std::vector<Patch>& patches, const std::vector<Eigen::Vector3d>& sensors) {
+  std::vector<std::pair<double, double>> found;  // per range, and the area it stands for
+  double area = 0;
+  for (const Patch& patch : patches) {
+    const double at_point = patch.finest_area;
+    double range2 = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& sensor : sensors)
+      range2 = std::min(range2, (patch.at - sensor).squaredNorm());
+    if (!(at_point > 0) || !(range2 > 0) || std::isinf(range2)) continue;
+    found.emplace_back(std::sqrt(kSparsePoints * at_point / range2), at_point);
+    area += at_point;
+  }
+  std::sort(found.begin(), found.end());
+  double left = kSparseShare * area;
+  for (auto at = found.rbegin(); at != found.rend(); ++at) {
+    left -= at->second;
+    if (left <= 0) return at->first;
+  }
+  return 0;
+}
+
 Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches) {
   std::vector<double> areas, ranges;
   std::vector<NoiseAt> noises;
@@ -208,15 +252,19 @@ Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches) {
     if (!(patch.area_per_point > 0)) continue;
     areas.push_back(patch.area_per_point);
     if (patch.noise.kind == DepthNoise::Kind::single_depth && single_says_nothing) continue;
-    noises.push_back({patch.range, patch.noise.noise < 1e-12 * largest ? 0 : patch.noise.noise});
+    noises.push_back(
+        {patch.range, patch.noise.noise < 1e-12 * largest ? 0 : patch.noise.noise, patch.cosine});
   }
   for (const auto& p : sample.points) ranges.push_back(p.range);
   areas = trimmed(std::move(areas));
+  const std::vector<Eigen::Vector3d> sensors = sensor_places(sample.points, kMostSensors);
   return {mean(areas),
           sparse(areas),
-          fit_noise_law(std::move(noises)),
+          fit_noise_law(noises),
           quantile(ranges, 0.05),
           quantile(ranges, 0.95),
+          sparse_per_range(patches, sensors),
+          sensors,
           sample.count};
 }
 
@@ -267,6 +315,13 @@ Estimate estimate(const std::function<void(const Take&)>& pass) {
   return summarise(sample, look_at(sample, centres, fine, coarse));
 }
 
+namespace {
+
+constexpr double kMostGrowth = 0.25;  ///< that a model takes (model::Parameters)
+constexpr double kGrowsAbove = 1.5;   ///< see suitable_resolution()
+
+}  // namespace
+
 double ResolutionBounds::largest() const { return std::max({density, sparse_parts, noise}); }
 
 ResolutionBounds resolution_bounds(const Estimate& estimate, const NoiseLaw& noise) {
@@ -275,8 +330,13 @@ ResolutionBounds resolution_bounds(const Estimate& estimate, const NoiseLaw& noi
           std::max(10 * noise.at(estimate.near_range), 5 * noise.at(estimate.far_range))};
 }
 
-double suitable_resolution(const Estimate& estimate, const NoiseLaw& noise) {
-  return resolution_bounds(estimate, noise).largest();
+ResolutionLaw suitable_resolution(const Estimate& estimate, const NoiseLaw& noise) {
+  const double everywhere = resolution_bounds(estimate, noise).largest();
+  const double growth = std::min(estimate.sparse_per_range, kMostGrowth), near = estimate.near_range;
+  const bool asked_for =
+      growth * estimate.far_range > kGrowsAbove * everywhere && estimate.far_range > kGrowsAbove * near;
+  if (!asked_for) return everywhere;
+  return {std::max(10 * noise.at(near) - growth * near, growth * near / 10), growth};
 }
 
 double suitable_tolerance(double noise, double resolution) { return std::max(3 * noise, resolution / 5); }

@@ -5,7 +5,9 @@
 #include <functional>
 #include <limpet/model/sensor_point.hpp>
 #include <limpet/survey/noise_law.hpp>
+#include <limpet/survey/resolution_law.hpp>
 #include <limpet/survey/sample.hpp>
+#include <vector>
 
 namespace limpet::survey {
 
@@ -18,7 +20,11 @@ struct Estimate {
   NoiseLaw noise;             ///< standard deviation of a reading along its axis
   double near_range = 0;      ///< 95 % of the points are farther from the sensor, scan's unit; 0: not known
   double far_range = 0;       ///< 5 % of the points are farther
-  std::int64_t points = 0;    ///< points that were looked at, copies too
+  /// The same of the length √(area for three points) over the distance to the nearest sensor, a pure number:
+  /// what λ would grow by. Here surfaces seen at a grazing angle count, too. 0: ranges are not known.
+  double sparse_per_range = 0;
+  std::vector<Eigen::Vector3d> sensors;  ///< where they stood (sensor_places()), at most 64
+  std::int64_t points = 0;               ///< points that were looked at, copies too
 };
 
 using Take = std::function<void(const model::SensorPoint&)>;
@@ -45,8 +51,9 @@ struct ResolutionBounds {
 /// tell a plane's normal.
 ResolutionBounds resolution_bounds(const Estimate& estimate, const NoiseLaw& noise);
 
-/// λ that suits the scan: the largest of these.
-double suitable_resolution(const Estimate& estimate, const NoiseLaw& noise);
+/// λ that suits the scan: the largest of these; or one that grows with the range, where far surfaces have so
+/// few points that they ask for half as much again.
+ResolutionLaw suitable_resolution(const Estimate& estimate, const NoiseLaw& noise);
 
 /// How far from its plane a surface may be: three times the noise, taken where it is greatest, or λ/5.
 double suitable_tolerance(double noise, double resolution);

@@ -12,7 +12,10 @@ namespace {
 
 constexpr std::size_t kGroups = 10,
                       kGroup = 40;  ///< at most kGroups groups of at least kGroup neighbourhoods
-constexpr double kSame = 0.12;      ///< relative scatter that estimates of one and the same noise have
+constexpr double kGrazing =
+    0.6;  ///< cosine of the incidence below which a surface is seen at a grazing angle
+constexpr std::size_t kFewestBands = 3;  ///< of such incidences
+constexpr double kSame = 0.12;           ///< relative scatter that estimates of one and the same noise have
 
 /// The median, unless half of the neighbourhoods cross edges of the surface: then an estimate from the flat
 /// ones.
@@ -82,7 +85,9 @@ double quantile(std::vector<double> values, double part) {
   return *at;
 }
 
-NoiseLaw fit_noise_law(std::vector<NoiseAt> found) {
+namespace {
+
+NoiseLaw fit_along_axes(std::vector<NoiseAt> found) {
   const Law constant{{typical(found), 0, 0}, 0};
   const auto groups = by_range(std::move(found));
   const auto known = [](const NoiseAt& group) { return group.range > 0 && group.noise > 0; };
@@ -103,6 +108,34 @@ NoiseLaw fit_noise_law(std::vector<NoiseAt> found) {
     }
   }
   return best && best->misfit < 0.6 * one_number->misfit ? best->noise : constant.noise;
+}
+
+/// By how much readings scatter about surfaces that are seen at a grazing angle, over what the law says of
+/// them along their axes: the median of some bands of incidence. 0: too few such surfaces.
+double across_when_grazing(std::vector<NoiseAt> found, const NoiseLaw& law) {
+  std::erase_if(found, [](const NoiseAt& one) { return one.cosine > kGrazing; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const NoiseAt& a, const NoiseAt& b) { return a.cosine < b.cosine; });
+  const std::size_t groups = std::min(kGroups, found.size() / kGroup);
+  std::vector<double> across;
+  for (std::size_t g = 0; g < groups; ++g) {
+    std::vector<double> ratios;
+    for (std::size_t i = found.size() * g / groups; i < found.size() * (g + 1) / groups; ++i)
+      ratios.push_back(found[i].noise * found[i].cosine / law.at(found[i].range));
+    across.push_back(typical(ratios));
+  }
+  std::sort(across.begin(), across.end());
+  return across.size() < kFewestBands ? 0 : across[across.size() / 2];
+}
+
+}  // namespace
+
+NoiseLaw fit_noise_law(const std::vector<NoiseAt>& found) {
+  const NoiseLaw along = fit_along_axes(found);
+  if (!(along.at(0) > 0) && !along.varies()) return along;
+  const double across = across_when_grazing(found, along);
+  if (!(across > 1 + 2 * kSame)) return along;
+  return {across * along.fixed, across * along.per_range, across * along.per_range2};
 }
 
 std::string short_text(const NoiseLaw& noise) {

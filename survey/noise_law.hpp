@@ -22,14 +22,16 @@ struct NoiseLaw {
 std::string short_text(const NoiseLaw& noise);
 
 /// What one flat neighbourhood of a scan says of its noise: a standard deviation along the sensing axis, and
-/// from how far; scan's unit, range 0 where it is not known.
+/// from how far; scan's unit, range 0 where it is not known. `cosine`: of the angle at which it was seen.
 struct NoiseAt {
-  double range = 0, noise = 0;
+  double range = 0, noise = 0, cosine = 1;
 };
 
 /// The law that fits these neighbourhoods best. One number unless the scan clearly says otherwise. Robust: up
-/// to half of the neighbourhoods, at every range, may cross edges of the surface.
-NoiseLaw fit_noise_law(std::vector<NoiseAt> found);
+/// to half of the neighbourhoods, at every range, may cross edges of the surface. A sensor may know its
+/// directions less well than its ranges; then readings scatter about a surface that they graze by more than
+/// this noise along the axis would make them, and the law is raised to that.
+NoiseLaw fit_noise_law(const std::vector<NoiseAt>& found);
 
 /// The quantile of some values: `part` of them, 0 to 1, lie below it. 0 where there are no values.
 double quantile(std::vector<double> values, double part);
