@@ -23,7 +23,7 @@ ModelArguments as_modelled(const CheckArguments& args, const model::Parameters& 
   modelled.scan = args.scan;
   modelled.viewpoint = args.viewpoint;
   modelled.orient = args.orient;
-  modelled.resolution = parameters.resolution;
+  modelled.resolution = survey::ResolutionLaw{parameters.resolution, parameters.resolution_per_range};
   modelled.tolerance = parameters.tolerance;
   modelled.noise =
       survey::NoiseLaw{parameters.noise, parameters.noise_per_range, parameters.noise_per_range2};

@@ -56,7 +56,8 @@ struct EmptyDiscs::Inside {
   FlatDisc disc(const Candidate& found, const Excuse& excuse) const {
     const double area = polygon.area_within(found.centre, found.radius);
     const double share = area / (std::numbers::pi * found.radius * found.radius);
-    return {found.centre, found.radius, found.density * area, excuse.holds(found.radius, share)};
+    return {found.centre, found.radius, found.density * area,
+            excuse.holds(found.centre, found.radius, share)};
   }
 
   Vector2d nearest(const Vector2d& place) const {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <limpet/evaluation/flat_polygon_internal.hpp>
 #include <limpet/evaluation/local_density_internal.hpp>
+#include <limpet/evaluation/resolution_field_internal.hpp>
 #include <memory>
 #include <vector>
 
@@ -22,17 +23,21 @@ struct FlatDisc {
 /// λ.
 class Excuse {
  public:
-  /// Excused discs count for no more than `chance` readings, the most that chance explains anyway.
-  Excuse(double resolution, double chance) : resolution_(resolution), chance_(chance) {}
+  /// Both outlive it. Excused discs count for no more than `chance` readings, the most that chance explains
+  /// anyway.
+  Excuse(const ResolutionField& resolution, const FlatPolygon& polygon, double chance)
+      : resolution_(resolution), polygon_(polygon), chance_(chance) {}
   double chance() const { return chance_; }
   /// `share` of the disc is inside the polygon.
-  bool holds(double radius, double share) const {
+  bool holds(const Eigen::Vector2d& centre, double radius, double share) const {
     constexpr double kWhole = 0.99, kCorner = 1.4142135623730951;
-    return radius <= (share > kWhole ? 1 : kCorner) * resolution_;
+    return radius <= (share > kWhole ? 1 : kCorner) * resolution_.at(polygon_.raised(centre));
   }
 
  private:
-  double resolution_, chance_;
+  const ResolutionField& resolution_;
+  const FlatPolygon& polygon_;
+  double chance_;
 };
 
 /// The discs that readings on a polygon leave empty. Polygon and density outlive it.

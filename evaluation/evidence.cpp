@@ -65,17 +65,18 @@ std::vector<Readings> distribute(const std::vector<SensorPoint>& readings, const
 
 /// The share of a polygon's area that is farther from every reading than chance explains.
 double empty_share(const Ground& ground, const EmptyDiscs& discs, const LocalDensity& density, double chance,
-                   double resolution) {
+                   const ResolutionField& resolution) {
   constexpr double kSpacing = 0.25;  // of λ, between places that are asked
   constexpr double kFewest = 100, kMost = 50'000;
-  const double wanted = ground.region.area / (kSpacing * kSpacing * resolution * resolution);
+  const double edge = kSpacing * resolution.least(ground.region.low, ground.region.high);
+  const double wanted = ground.region.area / (edge * edge);
   const auto places =
       spread_over(ground.region.triangles, static_cast<int>(std::clamp(wanted, kFewest, kMost)));
   if (places.empty()) return 0;
   const auto empty = std::count_if(places.begin(), places.end(), [&](const Vector3d& world) {
     const Vector2d place = ground.flat.flat(world), nearest = discs.nearest(place);
     const double radius = (place - nearest).norm();
-    return radius > resolution && density.at(nearest) * std::numbers::pi * radius * radius > chance;
+    return radius > resolution.at(world) && density.at(nearest) * std::numbers::pi * radius * radius > chance;
   });
   return static_cast<double>(empty) / static_cast<double>(places.size());
 }
@@ -92,28 +93,33 @@ void judge_bare(const Ground& ground, double density, PolygonEvidence& polygon) 
 }
 
 void judge_support(const Ground& ground, const Readings& readings, double usual_density, double chance,
-                   double resolution, PolygonEvidence& polygon) {
+                   const ResolutionField& resolution, PolygonEvidence& polygon) {
   constexpr double kSquare = 2;       // λ: some twenty readings at the density that λ is chosen for
   constexpr double kSpacing = 0.125;  // λ, along perimeters
-  const LocalDensity density(readings.own.empty() ? readings.on : readings.own, kSquare * resolution);
+  const LocalDensity density(readings.own.empty() ? readings.on : readings.own,
+                             kSquare * resolution.at((ground.region.low + ground.region.high) / 2));
   polygon.density = density.overall();
   if (readings.on.empty()) return judge_bare(ground, usual_density, polygon);
   const EmptyDiscs discs(readings.on, ground.flat, density);
+  const double spacing = kSpacing * resolution.least(ground.region.low, ground.region.high);
   std::vector<Vector2d> perimeter;
-  for (const Vector3d& place : along_boundary(ground.region.face, kSpacing * resolution))
+  for (const Vector3d& place : along_boundary(ground.region.face, spacing))
     perimeter.push_back(ground.flat.flat(place));
-  const FlatDisc emptiest = discs.emptiest(perimeter, {resolution, chance});
+  const FlatDisc emptiest = discs.emptiest(perimeter, {resolution, ground.flat, chance});
   polygon.emptiest = {ground.flat.raised(emptiest.centre), emptiest.radius, emptiest.expected,
                       emptiest.excused};
   polygon.empty_area = polygon.area * empty_share(ground, discs, density, chance, resolution);
 }
 
 /// The median density of the polygons' readings, for polygons that have none.
-double usual_density(const std::vector<Readings>& readings, double edge) {
+double usual_density(const std::vector<Readings>& readings, const std::vector<Ground>& grounds,
+                     const ResolutionField& resolution) {
   std::vector<std::pair<double, std::size_t>> densities;  // with the readings it is of
   std::size_t all = 0;
-  for (const Readings& of : readings) {
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const Readings& of = readings[i];
     if (of.own.empty()) continue;
+    const double edge = 2 * resolution.at((grounds[i].region.low + grounds[i].region.high) / 2);
     densities.emplace_back(LocalDensity(of.own, edge).overall(), of.own.size());
     all += of.own.size();
   }
@@ -165,8 +171,7 @@ double most_by_chance(std::int64_t readings) {
 }
 
 Evidence judge_evidence(const model::ModelRecord& model, std::vector<SensorPoint> readings) {
-  const double resolution = model.parameters.resolution;
-  if (!(resolution > 0)) throw std::invalid_argument("the model's resolution must be positive");
+  const ResolutionField resolution(model.parameters);
   settle(readings);
   Evidence evidence;
   evidence.readings = static_cast<std::int64_t>(readings.size());
@@ -178,7 +183,7 @@ Evidence judge_evidence(const model::ModelRecord& model, std::vector<SensorPoint
   const std::vector<Readings> given = distribute(readings, grounds, footing, tolerance, evidence);
   const RayCounts rays = see_through(grounds, footing, tolerance, readings, resolution, kMostRays);
   evidence.rays = rays.rays;
-  const double usual = usual_density(given, 2 * resolution);
+  const double usual = usual_density(given, grounds, resolution);
   for (std::size_t i = 0; i < grounds.size(); ++i) {
     PolygonEvidence& polygon = evidence.polygons.emplace_back();
     polygon.id = grounds[i].region.face.id;

@@ -43,13 +43,15 @@ struct Footing::Index {
   bgi::rtree<Entry, bgi::quadratic<16>> boxes;
 };
 
-Footing::Footing(const std::vector<Ground>& grounds, double reach, double most_tolerance)
+Footing::Footing(const std::vector<Ground>& grounds, const ResolutionField& reach, double most_tolerance)
     : grounds_(grounds), reach_(reach), index_(std::make_unique<Index>()) {
-  const Vector3d beyond = Vector3d::Constant(std::hypot(reach, most_tolerance));
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < grounds.size(); ++i) {
     const Region& region = grounds[i].region;
     if (region.triangles.empty()) continue;
+    // λ a little outside the box is larger than in it by no more than a quarter of the way.
+    const double most = reach.largest(region.low, region.high);
+    const Vector3d beyond = Vector3d::Constant(std::hypot(reach.grows() ? 2 * most : most, most_tolerance));
     entries.emplace_back(Box(place(region.low - beyond), place(region.high + beyond)), static_cast<int>(i));
   }
   index_->boxes = decltype(index_->boxes)(entries);
@@ -68,7 +70,7 @@ void Footing::each(const model::SensorPoint& reading, double tolerance,
     const double height = std::abs(grounds_[polygon].flat.height(reading.position));
     if (height > tolerance) continue;
     const double beside = region.surface.distance(region.foot(reading.position));
-    if (beside <= reach_) visit({polygon, std::hypot(height, beside)});
+    if (beside <= reach_.at(reading.position)) visit({polygon, std::hypot(height, beside)});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limpet/evaluation/flat_polygon_internal.hpp>
 #include <limpet/evaluation/region.hpp>
+#include <limpet/evaluation/resolution_field_internal.hpp>
 #include <limpet/model/record.hpp>
 #include <limpet/model/sensor_point.hpp>
 #include <limpet/survey/noise_law.hpp>
@@ -36,9 +37,9 @@ class Tolerance {
 /// Which polygons readings lie on.
 class Footing {
  public:
-  /// `grounds` outlive it; `reach` is how far beyond a perimeter a reading may project, `most_tolerance` the
-  /// largest that will be asked for.
-  Footing(const std::vector<Ground>& grounds, double reach, double most_tolerance);
+  /// `grounds` and `reach` outlive it; `reach` is how far beyond a perimeter a reading may project,
+  /// `most_tolerance` the largest that will be asked for.
+  Footing(const std::vector<Ground>& grounds, const ResolutionField& reach, double most_tolerance);
   ~Footing();
 
   /// A polygon that a reading lies on, and how far it is from the polygon itself.
@@ -53,7 +54,7 @@ class Footing {
  private:
   struct Index;
   const std::vector<Ground>& grounds_;
-  double reach_;
+  const ResolutionField& reach_;
   std::unique_ptr<Index> index_;
 };
 

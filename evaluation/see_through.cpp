@@ -83,6 +83,13 @@ class Company {
   std::unordered_map<std::int64_t, int> count_;
 };
 
+double mean_at(const std::vector<SensorPoint>& readings, const ResolutionField& resolution) {
+  if (!resolution.grows()) return resolution.at(Vector3d::Zero());
+  double sum = 0;
+  for (const SensorPoint& reading : readings) sum += resolution.at(reading.position);
+  return sum / static_cast<double>(readings.size());
+}
+
 /// Distances in a polygon to its perimeter, of those that are asked.
 class Perimeters {
  public:
@@ -101,7 +108,8 @@ class Perimeters {
 }  // namespace
 
 RayCounts see_through(const std::vector<Ground>& grounds, const Footing& footing, const Tolerance& tolerance,
-                      const std::vector<SensorPoint>& readings, double resolution, std::int64_t most) {
+                      const std::vector<SensorPoint>& readings, const ResolutionField& resolution,
+                      std::int64_t most) {
   RayCounts counts{0, std::vector<std::int64_t>(grounds.size()), std::vector<std::int64_t>(grounds.size())};
   std::vector<std::size_t> ranged;
   for (std::size_t i = 0; i < readings.size(); ++i)
@@ -109,7 +117,7 @@ RayCounts see_through(const std::vector<Ground>& grounds, const Footing& footing
   if (ranged.empty()) return counts;
 
   const Screens screens(grounds);
-  const Company company(readings, resolution);
+  const Company company(readings, mean_at(readings, resolution));
   Perimeters perimeters(grounds);
   const auto all = static_cast<std::int64_t>(ranged.size());
   counts.rays = std::min(all, most);
@@ -117,15 +125,16 @@ RayCounts see_through(const std::vector<Ground>& grounds, const Footing& footing
     const SensorPoint& reading = readings[ranged[k * all / counts.rays]];
     const double off = tolerance.at(reading.range);
     footing.each(reading, off, [&](const Footing::Foot& foot) { ++counts.on[foot.polygon]; });
-    if (reading.range <= resolution || !company.has(reading.position)) continue;
+    const double lambda = resolution.at(reading.position);
+    if (reading.range <= lambda || !company.has(reading.position)) continue;
     const Vector3d from = reading.position - reading.range * reading.axis;
-    const Vector3d to = reading.position - resolution * reading.axis;
+    const Vector3d to = reading.position - lambda * reading.axis;
     for (const int polygon : screens.met_between(from, to)) {
       const FlatPolygon& flat = grounds[polygon].flat;
       const double start = flat.height(from), end = flat.height(reading.position);
       if (std::abs(end) <= off || start == end) continue;
       const Vector3d crossing = from + start / (start - end) * (reading.position - from);
-      if (perimeters.distance(polygon, crossing) > resolution) ++counts.through[polygon];
+      if (perimeters.distance(polygon, crossing) > resolution.at(crossing)) ++counts.through[polygon];
     }
   }
   return counts;

@@ -20,6 +20,7 @@ struct RayCounts {
 /// perimeter, which may lie that far off, when the reading is off the polygon's plane by more than its
 /// tolerance, and no outlier: five readings at least, itself among them, are within a cube of 3λ.
 RayCounts see_through(const std::vector<Ground>& grounds, const Footing& footing, const Tolerance& tolerance,
-                      const std::vector<model::SensorPoint>& readings, double resolution, std::int64_t most);
+                      const std::vector<model::SensorPoint>& readings, const ResolutionField& resolution,
+                      std::int64_t most);
 
 }  // namespace limpet::evaluation

@@ -30,6 +30,12 @@ struct SharingReach {
   double least = kLeastNeighbours;  ///< λ: shortest edge that makes two segments neighbours
   bool from_shared = false;         ///< sections may also consist of edges that the two share already
 
+  /// The cosine of the least angle between two planes that share edges: μ. At the end of input planes that
+  /// are still two, as noise or tolerance tell them apart, meet in a line from half of that on.
+  double most_cosine(const Setting& setting) const {
+    return section <= 1 ? setting.cos_angle : setting.cos_half_angle;
+  }
+
   /// How far a perimeter may reach beyond a line of two planes that meet at an angle of this sine, and give
   /// way to it without more, scan's unit: λ; and at the end of input, as readings within the tolerance of
   /// both planes go to either of them, farther where they meet at a small angle: two planes of one surface

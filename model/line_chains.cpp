@@ -171,7 +171,7 @@ bool clip(LineWindow& window, const CommonLine& line, const Box3& box) {
 std::optional<LineBetween> line_between(const Setting& setting, const PolygonPart& a, const PolygonPart& b,
                                         const SharingReach& sharing) {
   const geometry::Plane pa = a.plane(), pb = b.plane();
-  if (pa.normal.dot(pb.normal) >= setting.cos_angle) return std::nullopt;
+  if (pa.normal.dot(pb.normal) >= sharing.most_cosine(setting)) return std::nullopt;
   const Box3 both(a.box.min().cwiseMax(b.box.min()), a.box.max().cwiseMin(b.box.max()));
   const auto line = common_line(pa, pb, (both.min() + both.max()) / 2);
   if (!line) return std::nullopt;

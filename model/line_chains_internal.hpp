@@ -64,8 +64,8 @@ struct LineWindow {
 bool clip(LineWindow&, const CommonLine&, const Box3&);
 
 /// The line where the planes of two polygons meet, and the window in which it is as near to the boxes of both
-/// as a section may be to it (SharingReach::at_angle()). Nothing when the normals differ by less than μ, or
-/// there is no such window.
+/// as a section may be to it (SharingReach::at_angle()). Nothing when the normals differ by less than
+/// SharingReach::most_cosine() allows, or there is no such window.
 struct LineBetween {
   CommonLine line;
   LineWindow window;

@@ -124,7 +124,8 @@ class Explanation {
   }
 
   Refusal beside(const PolygonPart& part, const PolygonPart& other, const Eigen::Vector3d& p) const {
-    if (part.plane().normal.dot(other.plane().normal) >= complex_.setting().cos_angle) return Refusal::angle;
+    if (part.plane().normal.dot(other.plane().normal) >= reach_.most_cosine(complex_.setting()))
+      return Refusal::angle;
     const auto between = line_between(complex_.setting(), part, other, reach_);
     if (!between) return Refusal::line_far;
     const Eigen::Vector3d foot = between->line.at(between->line.place_of(p));

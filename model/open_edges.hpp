@@ -11,7 +11,7 @@ namespace limpet::model {
 enum class Refusal {
   none,              ///< no condition: it would be shared now, unless that broke an ordering (§2.2)
   alone,             ///< no other polygon within λ: the surface ends here, or what was seen of it
-  angle,             ///< the planes of all polygons within λ make angles of less than μ with its own
+  angle,             ///< the planes of all polygons within λ make angles of less than μ/2 with its own
   line_far,          ///< the line where the planes meet is too far away
   nothing_opposite,  ///< the other polygon has no open edge along the line there
   ring_broken,       ///< at a corner: the neighbours around it do not close a ring

@@ -47,6 +47,7 @@ Setting::Setting(const Parameters& p) : parameters(p) {
   least = scale_of(p.resolution);
   rounding = step * step + p.input_quantum * p.input_quantum;
   cos_angle = cosine(p.angle_rad);
+  cos_half_angle = cosine(p.angle_rad / 2);
   sin_angle = std::sqrt(1 - cos_angle * cos_angle);
 }
 

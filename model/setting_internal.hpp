@@ -27,6 +27,7 @@ struct Setting {
   double step = 0;                      ///< grid step, scan's unit
   double rounding = 0;                  ///< variance of grid and input rounding together, scan's unit squared
   double sin_angle = 0, cos_angle = 0;  ///< of μ
+  double cos_half_angle = 0;            ///< of μ/2
 
   bool resolution_grows() const { return parameters.resolution_per_range > 0; }
   Scale scale_at(const Eigen::Vector3d& place) const { return resolution_grows() ? grown_at(place) : least; }

@@ -25,7 +25,8 @@ std::size_t error_line(const std::string& text) {
 
 TEST(Document, HoldsEveryField) {
   const Document document = parse_document(
-      "limpet 1\n# a comment\nresolution 0.5\nangle 0.125\nnoise 0.25\ntolerance 2\nquantum 0.001\npatience "
+      "limpet 1\n# a comment\nresolution 0.5\nwidening 0.125 2\nsensor 1 2 3\nsensor 4 5 6\nangle "
+      "0.125\nnoise 0.25\ntolerance 2\nquantum 0.001\npatience "
       "14\n"
       "grid 0.0625\n"
       "arithmetic float-grid\nrules holes,returns\ncounts 8 9 10 11\nnext 12 13\nsegments 1 1\n"
@@ -36,6 +37,8 @@ TEST(Document, HoldsEveryField) {
       "confirmed 22\n"
       "cycles 1\ncycle 2\n1 -2 3 0\n1e3 4 5 6\nraw 0\nend\n");
   EXPECT_EQ(document.resolution, 0.5);
+  EXPECT_EQ(document.widening, 0.125);
+  EXPECT_EQ(document.sensors, (std::vector<Vector>{{1, 2, 3}, {4, 5, 6}}));
   EXPECT_EQ(document.angle, 0.125);
   EXPECT_EQ(document.noise, 0.25);
   EXPECT_EQ(document.tolerance, 2);

@@ -19,6 +19,17 @@ struct LawCase {
 std::vector<LawCase> header_cases() {
   return {
       {"finite", "resolution", [](Document& d) { d.resolution = kNaN; }},
+      {"finite", "widening", [](Document& d) { d.widening = kNaN; }},
+      {"finite", "sensor",
+       [](Document& d) {
+         d.sensors.push_back({0, kNaN, 0});
+       }},
+      {"parameters", "widening below 0", [](Document& d) { d.widening = -0.01; }},
+      {"parameters", "widening above a quarter",
+       [](Document& d) {
+         d.widening = 0.26, d.sensors = {{0, 0, 0}};
+       }},
+      {"parameters", "widening from nowhere", [](Document& d) { d.widening = 0.1; }},
       {"finite", "angle", [](Document& d) { d.angle = kNaN; }},
       {"finite", "noise", [](Document& d) { d.noise = kInfinity; }},
       {"finite", "tolerance", [](Document& d) { d.tolerance = kInfinity; }},

@@ -173,6 +173,27 @@ TEST(Fill, OnlyWhatMayBeFilled) {
   EXPECT_EQ(p.locate({800, 900}), Polygon::Side::inside);
 }
 
+TEST(Fill, OnlyWhereTheGapIsWiderThanTheInlet) {
+  // Three notches, 40 wide; the gap grows from left to right, from 0 to 100.
+  const Cycles cycles = plate({{820, 1000},
+                               {800, 500},
+                               {780, 1000},
+                               {520, 1000},
+                               {500, 500},
+                               {480, 1000},
+                               {220, 1000},
+                               {200, 500},
+                               {180, 1000}});
+  EdgeIds ids;
+  Polygon p = make(cycles, ids);
+  const Gap gap([](Point2 at) { return at.x / 10; });
+  EXPECT_GT(fill_fissures(p, all_edges(p), gap, ids), 0u);
+  EXPECT_EQ(judge_polygon(p), Verdict::valid);
+  EXPECT_EQ(p.locate({200, 900}), Polygon::Side::outside);
+  EXPECT_EQ(p.locate({500, 900}), Polygon::Side::inside);
+  EXPECT_EQ(p.locate({800, 900}), Polygon::Side::inside);
+}
+
 TEST(Fill, AHoleCollapses) {
   const Filled f = filled({rectangle(0, 0, 1000, 1000), reversed(rectangle(480, 200, 520, 800))});
   EXPECT_GT(f.count, 0u);

@@ -150,14 +150,15 @@ TEST_F(NativeTest, LinesThatAreLeftOutWhereTheyAreUsualComeBack) {
 
 /// A field that is added has no name here, and does not compile.
 auto fields(const model::Parameters& p) {
-  const auto& [resolution, angle_rad, noise, per_range, per_range2, quantum, tolerance, patience, count,
-               ratio, neighbours, rules] = p;
-  return std::tuple(resolution, angle_rad, noise, per_range, per_range2, quantum, tolerance, patience, count,
-                    ratio, neighbours, rules.to_string());
+  const auto& [resolution, growth, sensors, angle_rad, noise, per_range, per_range2, quantum, tolerance,
+               patience, count, ratio, neighbours, rules] = p;
+  return std::tuple(resolution, growth, sensors, angle_rad, noise, per_range, per_range2, quantum, tolerance,
+                    patience, count, ratio, neighbours, rules.to_string());
 }
 
 TEST_F(NativeTest, NoParameterIsLostBetweenModelAndFile) {
-  model::Parameters unusual{0.07, 0.2, 0.001, 0.002, 0.003, 0.0005, 0.02, 4321, 30, 0.1, false, {}};
+  model::Parameters unusual{
+      0.07, 0.05, {{1, 2, 3}, {4, 5, 6}}, 0.2, 0.001, 0.002, 0.003, 0.0005, 0.02, 4321, 30, 0.1, false, {}};
   unusual.rules = model::Rules::parse("-near,-expiry");
   const model::Model model(unusual);
   const model::Model again(model_of(text_of(model.record())));

@@ -19,6 +19,7 @@ std::vector<ScanRecord> random_records(int count) {
     for (int k = 0; k < 3; ++k) record.point.axis[k] = number();
     record.point.axis.normalize();
     record.has_axis = true;
+    record.point.range = i % 7 == 0 ? 0 : std::abs(number());
     record.label = i % 5 - 1;
   }
   return records;
@@ -30,7 +31,7 @@ TEST_F(ScanWriterTest, EveryFormatReadsBackToTheSameBits) {
     SCOPED_TRACE(name);
     ScanWriterOptions options;
     options.ascii = ascii;
-    options.labels = true;
+    options.labels = options.ranges = true;
     options.comment = "two\nlines";
     const auto writer = create_scan(path(name), options);
     for (const ScanRecord& record : records) writer->write(record);
@@ -43,6 +44,7 @@ TEST_F(ScanWriterTest, EveryFormatReadsBackToTheSameBits) {
     for (std::size_t i = 0; i < records.size(); ++i) {
       EXPECT_EQ(scan.records[i].point.position, records[i].point.position);
       EXPECT_EQ(scan.records[i].point.axis, records[i].point.axis);
+      EXPECT_EQ(scan.records[i].point.range, records[i].point.range);
       EXPECT_EQ(scan.records[i].label, records[i].label);
     }
   }

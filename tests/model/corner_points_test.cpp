@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limpet/io/lifted.hpp>
+#include <limpet/simulation/box_world.hpp>
 
 #include "judged_scan.hpp"
 #include "ledger.hpp"

@@ -55,8 +55,8 @@ TEST(Promotion, ReadingsThatGrazeAPlaneMakeNone) {
         points.push_back({{0.02 * i, 0.02 * j, 0}, {std::sin(angle_rad), 0, -std::cos(angle_rad)}});
     return polygons_of(points).counts().polygons;
   };
-  EXPECT_EQ(seen_at(78), 1);
-  EXPECT_EQ(seen_at(82), 0);
+  EXPECT_EQ(seen_at(83), 1);
+  EXPECT_EQ(seen_at(87), 0);
 }
 
 TEST(Promotion, OpposedSensingAxesDoNotMerge) {

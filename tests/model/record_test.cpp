@@ -57,6 +57,7 @@ TEST(Record, AModelIsMadeOfOneThatIsWhole) {
 TEST(Record, WhatIsNotFiniteOrBeyondTheGridIsRefused) {
   const std::vector<std::function<double&(ModelRecord&)>> reals = {
       [](ModelRecord& r) -> double& { return r.parameters.resolution; },
+      [](ModelRecord& r) -> double& { return r.parameters.resolution_per_range; },
       [](ModelRecord& r) -> double& { return r.parameters.angle_rad; },
       [](ModelRecord& r) -> double& { return r.parameters.noise; },
       [](ModelRecord& r) -> double& { return r.parameters.noise_per_range; },
@@ -89,9 +90,9 @@ TEST(Record, WhatIsNotFiniteOrBeyondTheGridIsRefused) {
       reals[i](damaged) = value;
       EXPECT_NE(refusal_of(damaged), "") << "number " << i << ": " << value;
     }
-  for (std::size_t i = 10; i < reals.size(); ++i)
+  for (std::size_t i = 11; i < reals.size(); ++i)
     for (const double value : {1e20, -1e30, 1e300}) {
-      if (i == 11 || i == 24) continue;  // a variance may be any
+      if (i == 12 || i == 25) continue;  // a variance may be any
       ModelRecord damaged = whole();
       reals[i](damaged) = value;
       EXPECT_NE(refusal_of(damaged), "") << "number " << i << ": " << value;

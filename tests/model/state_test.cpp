@@ -117,10 +117,10 @@ std::vector<Points> in_sets(const Points& points, std::size_t size) {
 
 /// Long perimeters with an index, shared edges and corners, reliefs, holes, redundant segments.
 TEST(State, OfSolidsIsGoneOnFromToTheBit) {
-  using Order = simulation::ScanOptions::Order;
   std::uint64_t seed = 1;
   for (const char* shape : {"cube", "step_hole", "plate3", "open_box", "city:2", "room:2"})
-    for (const Order order : {Order::raster, Order::shuffled})
+    for (const auto order :
+         {simulation::ScanOptions::Order::raster, simulation::ScanOptions::Order::shuffled})
       for (const double noise : {0.0, 0.002}) {
         const Scan scan = scanned(shape, 6'000, noise, order, ++seed);
         SCOPED_TRACE(shape);

@@ -4,6 +4,7 @@
 #include <limpet/io/error.hpp>
 #include <limpet/io/scan_writer.hpp>
 #include <limpet/io/text.hpp>
+#include <limpet/simulation/shapes.hpp>
 #include <limpet/survey/choose.hpp>
 
 #include "../temporary_folder.hpp"
@@ -64,6 +65,43 @@ TEST_F(Choose, OneMayBeKnownAlone) {
   EXPECT_EQ(choice.parameters.resolution, 0.2);
   EXPECT_EQ(choice.parameters.noise, free.parameters.noise);
   EXPECT_EQ(choice.parameters.tolerance, 0.04) << "a fifth of the resolution that is known";
+}
+
+TEST_F(Choose, ALambdaThatGrowsWithTheRangeWhereTheSpaceBetweenPointsDoes) {
+  simulation::ScanOptions options;
+  options.order = Order::turning;
+  options.points = 50'000;
+  options.noise = 0.001;
+  options.viewpoints = {{2.1, 1.7, 1.5}};
+  const simulation::Mesh room = simulation::make_shape("room:1:3:2");
+  const auto write = [&](const std::string& name, bool ranges) {
+    io::ScanWriterOptions format;
+    format.ranges = ranges;
+    const auto writer = io::create_scan(path(name), format);
+    simulation::scan(room, options, [&](const simulation::LabelledPoint& p) {
+      writer->write({p.point, true, -1});
+    });
+    writer->close();
+    return path(name);
+  };
+  PointStream points(write("room.ply", true));
+  const Choice choice = choose(points);
+  const model::Parameters& chosen = choice.parameters;
+  EXPECT_GT(chosen.resolution_per_range, 0.03);
+  EXPECT_LT(chosen.resolution_per_range, 0.15);
+  ASSERT_EQ(chosen.sensors.size(), 1u);
+  EXPECT_LT((chosen.sensors[0] - options.viewpoints[0]).norm(), 0.02);
+  EXPECT_EQ(choice.order_cell, chosen.resolution + chosen.resolution_per_range * choice.estimate->near_range);
+  EXPECT_NE(explanation(choice).find("which grows with the range"), std::string::npos);
+
+  const std::string file = write("silent.ply", false);
+  PointStream silent(file), given(path("room.ply")), asked(file);
+  EXPECT_EQ(choose(silent).parameters.resolution_per_range, 0) << "the scan does not say its ranges";
+  const model::Parameters known = choose(given, {.resolution = ResolutionLaw(0.03, 0.05)}).parameters;
+  EXPECT_EQ(known.resolution, 0.03);
+  EXPECT_EQ(known.resolution_per_range, 0.05);
+  EXPECT_EQ(known.sensors, chosen.sensors);
+  EXPECT_THROW(choose(asked, {.resolution = ResolutionLaw(0.03, 0.05)}), io::InputError);
 }
 
 TEST_F(Choose, SaysWhy) {

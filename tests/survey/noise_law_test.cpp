@@ -56,6 +56,26 @@ TEST(NoiseLaw, IsOneNumberWhereRangesAreNotKnownOrAllTheSame) {
   EXPECT_EQ(fit_noise_law({}).fixed, 0);
 }
 
+/// A sensor that knows its directions less well than its ranges: readings scatter about a surface by
+/// σ cos + δ sin of the incidence.
+TEST(NoiseLaw, IsRaisedToWhatReadingsScatterByAtAGrazingAngle) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    for (const double delta : {0.0, 0.001, 0.003}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", by direction " + std::to_string(delta));
+      Random random(seed);
+      std::vector<NoiseAt> found;
+      for (int i = 0; i < 1000; ++i) {
+        // Most surfaces are seen about head on.
+        const double cosine = i % 4 == 0 ? random.uniform(0.25, 0.6) : random.uniform(0.8, 1);
+        const double across = 0.001 * cosine + delta * std::sqrt(1 - cosine * cosine);
+        found.push_back({random.uniform(1, 2), across / cosine * (1 + 0.1 * random.normal()), cosine});
+      }
+      const double noise = fit_noise_law(found).at(1.5);
+      EXPECT_GT(noise, std::max(0.0008, 0.8 * delta));
+      EXPECT_LT(noise, delta == 0 ? 0.0012 : 0.0015 + delta);
+    }
+}
+
 TEST(NoiseOfScans, GrowsWithTheRange) {
   for (const double per_range : {0.001, 0.003}) {
     simulation::ScanOptions options;

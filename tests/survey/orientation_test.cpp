@@ -33,7 +33,7 @@ Orientation orient(const Cloud& cloud) {
   const Estimate found = estimate([&](const Take& take) {
     for (const auto& p : cloud.points) take({p.point.position, Eigen::Vector3d::Zero()});
   });
-  const double resolution = suitable_resolution(found, found.noise);
+  const double resolution = suitable_resolution(found, found.noise).fixed;
   Orientation orientation(
       Orientation::suitable_edge(found.area_per_point, found.noise.at(found.far_range), resolution));
   for (const auto& p : cloud.points) orientation.add(p.point.position);
