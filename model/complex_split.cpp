@@ -26,7 +26,15 @@ const Segment& Complex::split(const Segment& whole, const geometry::Edit& rest,
   agenda_.opened(s.slot);
   s.polygon = std::move(part);
   if (whole.polygon->felt) s.polygon->felt = std::make_unique<Felt>(*whole.polygon->felt);
-  if (whole.polygon->passages) s.polygon->passages = std::make_unique<Passages>(*whole.polygon->passages);
+  if (Owned<Passages>& passages = mutable_of(whole).polygon->passages) {
+    const auto in_piece = [&](const Eigen::Vector3d& p) {
+      const geometry::Point2 at = geometry::round_to_grid(s.polygon->chart.project(p));
+      return s.polygon->perimeter.locate(at) != geometry::Polygon::Side::outside;
+    };
+    const auto share = static_cast<double>(portions.piece.data.count()) /
+                       static_cast<double>(portions.piece.data.count() + portions.rest.data.count());
+    s.polygon->passages = std::make_unique<Passages>(passages->split(in_piece, share));
+  }
   agenda_.became_polygon(s.slot);
   BoundaryDifference difference = book_difference(s, false);
   take_portion(s, portions.piece);

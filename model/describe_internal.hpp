@@ -82,7 +82,9 @@ void describe(auto& archive, Is<HeightMap> auto& map) {
       [](const auto& squares) { return HeightMap::of_squares(squares); });
 }
 void describe(auto& archive, Is<SegmentData> auto& data) { Storage::describe_data(archive, data); }
-void describe(auto& archive, Is<Felt::Part> auto& p) { archive(p.chart, p.perimeter); }
+void describe(auto& archive, Is<Felt::Part> auto& p) {
+  archive(p.chart, p.perimeter, p.points, p.area, p.thinning);
+}
 void describe(auto& archive, Is<Felt> auto& felt) {
   std::apply([&](auto&... members) { archive(members...); }, felt.members());
 }

@@ -20,6 +20,24 @@ double length_of_boundary(const geometry::Polygon& perimeter) {
   return length;
 }
 
+/// Is it the same part, down to its vertices?
+bool same(const Felt::Part& a, const Felt::Part& b) {
+  if (a.points != b.points || a.area != b.area || a.chart.origin() != b.chart.origin() ||
+      a.chart.normal() != b.chart.normal() || a.perimeter.edge_count() != b.perimeter.edge_count())
+    return false;
+  const auto same_cycle = [](const auto& p, const auto& q) {
+    return std::equal(
+        p.begin(), p.end(), q.begin(), q.end(),
+        [](const geometry::NewVertex& u, const geometry::NewVertex& v) { return u.at == v.at; });
+  };
+  const auto p = a.perimeter.boundary(), q = b.perimeter.boundary();
+  return std::equal(p.begin(), p.end(), q.begin(), q.end(), same_cycle);
+}
+
+bool before_in_space(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
 /// The mean over a polygon's area of the square of the least λ over λ, at the points of a lattice; at the
 /// middle of its box where none is inside.
 double mean_thinning(const Setting& setting, const geometry::Chart& chart,
@@ -62,21 +80,23 @@ double area_felt(const geometry::Chart& chart, const geometry::Polygon& perimete
 }
 
 Felt::Felt(const Setting& setting, const geometry::Chart& chart, const geometry::Polygon& perimeter,
-           std::int64_t points)
-    : points_(points),
-      area_(area_felt(chart, perimeter, points)),
-      thinning_(mean_thinning(setting, chart, perimeter)) {
-  parts_.push_back({chart, perimeter});
+           std::int64_t points) {
+  parts_.push_back({chart, perimeter, points, area_felt(chart, perimeter, points),
+                    mean_thinning(setting, chart, perimeter)});
 }
 
 void Felt::add(Felt&& other) {
-  parts_.insert(parts_.end(), std::make_move_iterator(other.parts_.begin()),
-                std::make_move_iterator(other.parts_.end()));
+  const std::size_t before = parts_.size();
+  for (Part& part : other.parts_)
+    if (std::none_of(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(before),
+                     [&](const Part& own) { return same(own, part); }))
+      parts_.push_back(std::move(part));
+  const bool were_one = parts_.size() < before + other.parts_.size();
   readings_.insert(readings_.end(), other.readings_.begin(), other.readings_.end());
-  points_ += other.points_;
-  if (thinning_ != other.thinning_ && area_ + other.area_ > 0)
-    thinning_ = (area_ * thinning_ + other.area_ * other.thinning_) / (area_ + other.area_);
-  area_ += other.area_;
+  if (were_one) {
+    std::sort(readings_.begin(), readings_.end(), before_in_space);
+    readings_.erase(std::unique(readings_.begin(), readings_.end()), readings_.end());
+  }
   added_to_ |= other.added_to_;
 }
 
@@ -87,7 +107,10 @@ double Felt::distance(const Eigen::Vector3d& p, double within) const {
 }
 
 double Felt::density(double part) const {
-  return area_ > 0 ? static_cast<double>(points_) / area_ * (part * part / thinning_) : 0;
+  double points = 0, area = 0, thinning = 0;
+  for (const Part& p : parts_)
+    points += static_cast<double>(p.points), area += p.area, thinning += p.area * p.thinning;
+  return area > 0 ? points / area * (part * part / (thinning / area)) : 0;
 }
 
 }  // namespace limpet::model::internal

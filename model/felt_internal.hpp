@@ -20,13 +20,17 @@ class Felt {
   struct Part {
     geometry::Chart chart;
     geometry::Polygon perimeter;
+    std::int64_t points = 0;  ///< readings that it stands for
+    double area = 0;          ///< area_felt(), scan's unit squared
+    double thinning = 1;      ///< mean over the area of the square of the least λ over λ
   };
 
   Felt() = default;
   /// `points`: how many readings the perimeter stands for.
   Felt(const Setting&, const geometry::Chart&, const geometry::Polygon&, std::int64_t points);
 
-  /// The felt parts of a polygon that has merged into this one.
+  /// The felt parts of a polygon that has merged into this one. The two may have been one before, and cut in
+  /// two: parts that both have count once.
   void add(Felt&& other);
   /// A reading that has extended the perimeter since.
   void add(const Eigen::Vector3d& p) { readings_.push_back(p); }
@@ -42,18 +46,13 @@ class Felt {
   void note_addition() { added_to_ = true; }
 
   const std::vector<Part>& parts() const { return parts_; }
-  std::int64_t points() const { return points_; }
-  double area() const { return area_; }
   /// For the archive.
-  auto members() { return std::tie(parts_, readings_, points_, area_, thinning_, added_to_); }
-  auto members() const { return std::tie(parts_, readings_, points_, area_, thinning_, added_to_); }
+  auto members() { return std::tie(parts_, readings_, added_to_); }
+  auto members() const { return std::tie(parts_, readings_, added_to_); }
 
  private:
   std::vector<Part> parts_;
   std::vector<Eigen::Vector3d> readings_;
-  std::int64_t points_ = 0;
-  double area_ = 0;      ///< scan's unit squared
-  double thinning_ = 1;  ///< mean over the area of the square of the least λ over λ
   bool added_to_ = false;
 };
 

@@ -22,4 +22,20 @@ void Passages::add(const Passages& other, double apart) {
   rays_ += other.rays_, through_ += other.through_;
 }
 
+Passages Passages::split(const std::function<bool(const Eigen::Vector3d&)>& there, double share) {
+  Passages part;
+  std::erase_if(places_, [&](const Place& place) {
+    const bool goes = there(place.at);
+    if (goes) part.places_.push_back(place);
+    return goes;
+  });
+  const auto portion = [&](std::int64_t& of) {
+    const auto goes = static_cast<std::int64_t>(share * static_cast<double>(of));
+    of -= goes;
+    return goes;
+  };
+  part.rays_ = portion(rays_), part.through_ = portion(through_);
+  return part;
+}
+
 }  // namespace limpet::model::internal

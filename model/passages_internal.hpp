@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <tuple>
 #include <vector>
 
@@ -21,6 +22,9 @@ class Passages {
   void add(const Eigen::Vector3d& p, double apart, std::int64_t count = 1);
   /// Those of a polygon that has merged into this one.
   void add(const Passages& other, double apart);
+  /// Hands the places there to the passages of a part that is cut off, with `share` of the readings that have
+  /// passed through. The counts add up to what they were.
+  Passages split(const std::function<bool(const Eigen::Vector3d&)>& there, double share);
   /// A reading that stands for so many has passed through the polygon itself, not beside it or in a hole.
   void note_through(std::int64_t readings) { ++rays_, through_ += readings; }
 

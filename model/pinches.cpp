@@ -65,32 +65,43 @@ Box3 common_box(const Setting& setting, const PolygonPart& a, const PolygonPart&
 class PinchSearch {
  public:
   PinchSearch(const Complex& complex, const Segment& s)
-      : complex_(complex), setting_(complex.setting()), s_(s), part_(*s.polygon) {}
+      : complex_(complex), setting_(complex.setting()), s_(s), part_(*s.polygon) {
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(setting_.largest_scale(part_.box).lambda);
+    const Box3 around(part_.box.min() - reach, part_.box.max() + reach);
+    for (const auto& [id, slot] : polygons_near(complex_, DirtyRegion(around), s_.slot)) {
+      const PolygonPart& other = *complex_.at(slot).polygon;
+      if (const Box3 both = common_box(setting_, part_, other); !both.isEmpty())
+        others_.push_back({&other, other.plane(), both});
+    }
+  }
 
   /// By the identities of the two that cross the polygon; one of several at the same place.
   std::vector<Pinch> all() {
-    for (const auto& [first_id, first_slot] : polygons_near(complex_, DirtyRegion(part_.box), s_.slot)) {
-      const PolygonPart& first = *complex_.at(first_slot).polygon;
-      const auto line = line_between(setting_, part_, first);
-      if (!line) continue;
-      const DirtyRegion where(common_box(setting_, part_, first));
-      for (const auto& [second_id, second_slot] : polygons_near(complex_, where, s_.slot))
-        if (first_id < second_id) look_at(first, line->line, *complex_.at(second_slot).polygon);
-    }
+    for (auto first = others_.begin(); first != others_.end(); ++first)
+      if (const auto line = line_between(setting_, part_, *first->part))
+        for (auto second = first + 1; second != others_.end(); ++second) look_at(*first, line->line, *second);
     return std::move(found_);
   }
 
  private:
-  void look_at(const PolygonPart& first, const CommonLine& line, const PolygonPart& second) {
-    const auto at = common_point(line, second.plane());
-    if (!at || !common_box(setting_, part_, second).contains(*at) || is_known(*at)) return;
-    const auto other_line = common_line(part_.plane(), second.plane(), *at);
+  /// A polygon near this one.
+  struct Other {
+    const PolygonPart* part;
+    geometry::Plane plane;
+    Box3 both;  ///< where both may be near, common_box()
+  };
+
+  void look_at(const Other& first, const CommonLine& line, const Other& second) {
+    const auto at = common_point(line, second.plane);
+    if (!at || !second.both.contains(*at) || !first.both.contains(*at) || is_known(*at)) return;
+    if (!lies_near(setting_, *first.part, *at) || !lies_near(setting_, *second.part, *at) ||
+        !lies_near(setting_, part_, *at))
+      return;
+    const auto other_line = common_line(part_.plane(), second.plane, *at);
     if (!other_line) return;
     const auto pinch =
         pinch_at(setting_, part_, *at, seen_along(part_.chart, line), seen_along(part_.chart, *other_line));
-    if (pinch && lies_near(setting_, part_, *at) && lies_near(setting_, first, *at) &&
-        lies_near(setting_, second, *at) && ends_on_both_sides(*at, line) &&
-        ends_on_both_sides(*at, *other_line))
+    if (pinch && ends_on_both_sides(*at, line) && ends_on_both_sides(*at, *other_line))
       found_.push_back(*pinch);
   }
 
@@ -122,6 +133,7 @@ class PinchSearch {
   const Setting& setting_;
   const Segment& s_;
   const PolygonPart& part_;
+  std::vector<Other> others_;  ///< by identity
   std::vector<Pinch> found_;
 };
 

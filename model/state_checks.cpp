@@ -57,9 +57,11 @@ void require_raw_point(const Engine& e, const RawPoint& raw) {
 }
 
 void require_felt(const Engine& e, const Felt& felt) {
-  require_state(felt.points() >= 0 && felt.area() > 0 && !felt.parts().empty(), "was felt nowhere");
-  for (const Felt::Part& part : felt.parts())
+  require_state(!felt.parts().empty(), "was felt nowhere");
+  for (const Felt::Part& part : felt.parts()) {
+    require_state(part.points >= 0 && part.area > 0 && part.thinning > 0, "was felt nowhere");
     require_state(part.chart.step() == e.setting.step, "was felt on another grid");
+  }
 }
 
 void require_passages(const Passages& passages) {

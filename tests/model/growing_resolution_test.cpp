@@ -20,7 +20,8 @@ Points floor_around(Random& random, double pitch, double far, double noise) {
   const double height = 1.5;
   for (double angle = 0; angle < 6.2831; angle += pitch)
     for (double down = 0.6; height / std::tan(down) < far; down -= pitch) {
-      const Vector3d axis(std::cos(angle) * std::cos(down), std::sin(angle) * std::cos(down), -std::sin(down));
+      const Vector3d axis(std::cos(angle) * std::cos(down), std::sin(angle) * std::cos(down),
+                          -std::sin(down));
       const double range = height / std::sin(down);
       points.push_back({Vector3d(0, 0, height) + (range + noise * random.normal()) * axis, axis, range});
     }
@@ -71,7 +72,8 @@ TEST(GrowingResolution, CountsFromTheNearestSensor) {
   Points points;
   for (const auto& p : plate(random, 40'000, 0, 0, 2, 2, 0.001))
     if (std::abs(p.position.x() - 1) > 0.125 || std::abs(p.position.y() - 1) > 0.125) points.push_back(p);
-  const ModelRecord record = modelled(growing(0.01, 0.04, {{1, 1, 8}, {-5, 1, 3}, {1, 1, 1}}), points).record();
+  const ModelRecord record =
+      modelled(growing(0.01, 0.04, {{1, 1, 8}, {-5, 1, 3}, {1, 1, 1}}), points).record();
   EXPECT_EQ(record.polygon_segments.front().cycles.size(), 2u);
 }
 
@@ -126,7 +128,8 @@ TEST(GrowingResolution, ParametersThatSayNothingAreRefused) {
   EXPECT_NO_THROW(Model(growing(0.01, 0.25, {{0, 0, 0}})));
   EXPECT_NO_THROW(Model(growing(0.01, 0, {})));
   EXPECT_THROW(Model(growing(0.01, 0.05, {})), std::invalid_argument) << "no sensor";
-  EXPECT_THROW(Model(growing(0.01, 0.05, std::vector<Vector3d>(65, Vector3d::Zero()))), std::invalid_argument);
+  EXPECT_THROW(Model(growing(0.01, 0.05, std::vector<Vector3d>(65, Vector3d::Zero()))),
+               std::invalid_argument);
   EXPECT_THROW(Model(growing(0.01, 0.05, {{0, nan, 0}})), std::invalid_argument);
   for (const double growth : {-0.01, 0.26, nan, std::numeric_limits<double>::infinity()})
     EXPECT_THROW(Model(growing(0.01, growth, {{0, 0, 0}})), std::invalid_argument) << growth;

@@ -40,7 +40,8 @@ TEST(TurningScanner, EqualAnglesFromTheTripodToTheZenith) {
       EXPECT_NEAR(angle, pitch, pitch * pitch * pitch / 10);
     }
     const auto row = static_cast<std::size_t>(rows);
-    const Vector3d first(directions[0].x(), directions[0].y(), 0), next(directions[row].x(), directions[row].y(), 0);
+    const Vector3d first(directions[0].x(), directions[0].y(), 0),
+        next(directions[row].x(), directions[row].y(), 0);
     EXPECT_NEAR(std::acos(first.normalized().dot(next.normalized())), pitch, pitch * pitch * pitch / 10);
   }
 }

@@ -50,7 +50,8 @@ TEST(SensorPlaces, AlongAWayTheyAreFewAndNearEnough) {
     ASSERT_LE(places.size(), most);
     if (most < 64) continue;
     for (const Vector3d& from : way)
-      EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](const Vector3d& p) { return (p - from).norm() < 1; }));
+      EXPECT_TRUE(std::any_of(places.begin(), places.end(),
+                              [&](const Vector3d& p) { return (p - from).norm() < 1; }));
   }
 }
 
