@@ -30,10 +30,11 @@ struct SharingReach {
   double least = kLeastNeighbours;  ///< λ: shortest edge that makes two segments neighbours
   bool from_shared = false;         ///< sections may also consist of edges that the two share already
 
-  /// The cosine of the least angle between two planes that share edges: μ. At the end of input planes that
-  /// are still two, as noise or tolerance tell them apart, meet in a line from half of that on.
+  /// The cosine of the least angle between two planes that share edges: μ. At the end of input polygons that
+  /// are still two, as noise or tolerance tell them apart, meet in a line from half of that on (rule
+  /// `bends`).
   double most_cosine(const Setting& setting) const {
-    return section <= 1 ? setting.cos_angle : setting.cos_half_angle;
+    return section > 1 && setting.rules().bends ? setting.cos_half_angle : setting.cos_angle;
   }
 
   /// How far a perimeter may reach beyond a line of two planes that meet at an angle of this sine, and give

@@ -42,29 +42,45 @@ bool is_thin(const Setting& setting, const PolygonPart& part) {
   return length > kLeastSliver && area < kSliverWidth * length;
 }
 
-/// Is a segment redundant by position: is it small, and do all its vertices lie on segments of which each has
-/// more than twice as many points (kLargerPart)?
+/// Did the polygon get only the readings that another left over along its edge? Then it lies within the
+/// tolerance of that, and was felt so much less densely.
+bool is_left_over(const Setting& setting, const Segment& s, const std::vector<const Segment*>& others) {
+  const auto [area, length] = size_of(setting, *s.polygon);
+  if (!(length > kLeastSliver && area < kLeftOverWidth * length)) return false;
+  const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance;
+  const auto leaves_over = [&, own = area](const Segment* other) {
+    const double theirs = size_of(setting, *other->polygon).first;
+    return static_cast<double>(s.count()) * theirs <
+               kLeftOverPart * static_cast<double>(other->count()) * own &&
+           other->polygon->outward.dot(s.polygon->outward) > kSameWay &&
+           s.data.moments().squared_residual(other->fit.plane(), setting.step) <= tolerance2;
+  };
+  return std::any_of(others.begin(), others.end(), leaves_over);
+}
+
+/// Is a segment redundant by position: is it a patch, a sliver or what was left over, and do all its vertices
+/// lie on segments of which each has more than twice as many points (kLargerPart)?
 bool lies_on_others(const Complex& complex, const Segment& s) {
   const PolygonPart& part = *s.polygon;
-  if (!is_small(complex.setting(), part)) return false;
+  const Setting& setting = complex.setting();
   std::vector<std::uint32_t> found;
   complex.polygons().query(part.box, found);
   std::vector<const Segment*> others;
   for (const std::uint32_t slot : found)
     if (const Segment& other = complex.at(slot); other.count() > kLargerPart * s.count())
       others.push_back(&other);
+  const bool alone_or_thin = part.shared.empty() || is_thin(setting, part);
+  if (!(is_small(setting, part) && alone_or_thin) && !is_left_over(setting, s, others)) return false;
   bool all = !others.empty();
   for_each_edge(part.perimeter, [&](Slot vertex) {
     all = all && std::any_of(others.begin(), others.end(), [&](const Segment* other) {
-            return lies_on(complex.setting(), *other, part.position(vertex), part.outward);
+            return lies_on(setting, *other, part.position(vertex), part.outward);
           });
   });
   return all;
 }
 
-bool may_be_redundant_by_position(const Setting& setting, const Segment& s) {
-  return s.polygon && s.count() > 0 && (s.polygon->shared.empty() || is_thin(setting, *s.polygon));
-}
+bool may_be_redundant_by_position(const Segment& s) { return s.polygon && s.count() > 0; }
 
 /// The polygon, other than `but`, that the data fits best, and the data's standing to it.
 std::pair<const Segment*, Standing> best_for(const Complex& complex, const Segment* but,
@@ -121,16 +137,15 @@ bool delete_redundant(Complex& complex, Agenda& agenda, Labels& labels, Counts& 
   const std::size_t by_count = ids.size();
   if (agenda.finishing && complex.rules().position)
     complex.segments().for_each([&](const Segment& s) {
-      if (may_be_redundant_by_position(complex.setting(), s)) ids.push_back(s.id);
+      if (may_be_redundant_by_position(s)) ids.push_back(s.id);
     });
   std::sort(ids.begin() + static_cast<std::ptrdiff_t>(by_count), ids.end());
   bool any = false;
   for (std::size_t i = 0; i < ids.size() && !agenda.stopped(); ++i) {
     const Segment* s = complex.find(ids[i]);
     if (!s || !s->polygon) continue;
-    const bool redundant =
-        i < by_count ? s->polygon->shared.empty()
-                     : may_be_redundant_by_position(complex.setting(), *s) && lies_on_others(complex, *s);
+    const bool redundant = i < by_count ? s->polygon->shared.empty()
+                                        : may_be_redundant_by_position(*s) && lies_on_others(complex, *s);
     if (!redundant) continue;
     ++(i < by_count ? counts.redundant_by_count : counts.redundant_by_position);
     counts.expired += delete_segment(complex, agenda, labels, *s);

@@ -8,14 +8,14 @@
 namespace limpet::model {
 namespace {
 
-constexpr std::array<std::pair<const char*, bool Rules::*>, 20> kRules = {{
+constexpr std::array<std::pair<const char*, bool Rules::*>, 21> kRules = {{
     {"promotion", &Rules::promotion}, {"chance", &Rules::chance},     {"patch", &Rules::patch},
     {"arrival", &Rules::arrival},     {"residual", &Rules::residual}, {"relief", &Rules::relief},
     {"best", &Rules::best},           {"dissolve", &Rules::dissolve}, {"strays", &Rules::strays},
     {"refresh", &Rules::refresh},     {"near", &Rules::near},         {"holes", &Rules::holes},
-    {"voids", &Rules::voids},         {"spurs", &Rules::spurs},       {"pinches", &Rules::pinches},
-    {"twins", &Rules::twins},         {"rays", &Rules::rays},         {"position", &Rules::position},
-    {"finish", &Rules::finish},       {"expiry", &Rules::expiry},
+    {"voids", &Rules::voids},         {"spurs", &Rules::spurs},       {"bends", &Rules::bends},
+    {"pinches", &Rules::pinches},     {"twins", &Rules::twins},       {"rays", &Rules::rays},
+    {"position", &Rules::position},   {"finish", &Rules::finish},     {"expiry", &Rules::expiry},
 }};
 
 }  // namespace

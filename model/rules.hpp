@@ -29,6 +29,8 @@ struct Rules {
   bool voids = true;
   /// When finishing, small or thin parts of a polygon beyond a line of intersection give way to it.
   bool spurs = true;
+  /// When finishing, polygons whose planes meet at μ/2 to μ share edges, too.
+  bool bends = true;
   /// When finishing, a polygon that fills two opposite quadrants between two others' planes is cut in two
   /// there.
   bool pinches = true;

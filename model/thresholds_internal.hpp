@@ -92,6 +92,10 @@ inline constexpr std::int64_t kLargerPart = 2;
 /// In λ: the least length and the greatest mean width of a sliver across an edge, which is deleted although
 /// it shares edges with the faces there (rule `position`). Two in sixty CAD parts at 36 points per λ².
 inline constexpr double kLeastSliver = 4, kSliverWidth = 0.9;
+/// In λ: the greatest mean width of a polygon that got only what another left over along its edge, and the
+/// part of that one's density below which it did. Along edges of 18° to 26° in CAD parts at 36 points per λ²
+/// such slivers are 1.5 to 3.1 λ wide and were felt 0.4 to 0.5 times as densely.
+inline constexpr double kLeftOverWidth = 4, kLeftOverPart = 0.6;
 
 // Pinches (rule `pinches`).
 

@@ -79,8 +79,9 @@ std::string box_with_ridge(double bend_deg) {
          ridge + "\n4 3 2 1 0\n5 0 1 5 8 4\n4 1 2 6 5\n5 2 3 7 9 6\n4 3 0 4 7\n4 4 8 9 7\n4 8 5 6 9\n";
 }
 
-TEST_F(RoundTrip, ABendBelowTheAngularResolutionIsToldWithTheAngleThatWouldDo) {
-  for (const double bend : {3.0, 6.0, 9.0}) {
+/// From half of the angular resolution on, two planes that noise tells apart share their edge at the end.
+TEST_F(RoundTrip, ABendBelowHalfOfTheAngularResolutionIsToldWithTheAngleThatWouldDo) {
+  for (const double bend : {3.0, 4.0, 6.0, 9.0}) {
     SCOPED_TRACE(bend);
     const auto mesh = write("ridge.off", box_with_ridge(bend));
     const auto points = scan("ridge.ply", mesh, 30000, {"--noise", "0.0005"});
@@ -90,16 +91,22 @@ TEST_F(RoundTrip, ABendBelowTheAngularResolutionIsToldWithTheAngleThatWouldDo) {
       EXPECT_EQ(run(all).code, 0);
       return nlohmann::json::parse(read(path("m.json")));
     };
+    const auto expect_closed = [](const nlohmann::json& summary) {
+      EXPECT_TRUE(summary["closed"]);
+      EXPECT_EQ(summary["polygons"], 7);
+      EXPECT_TRUE(summary["suggested_angle_deg"].is_null());
+    };
     const auto before = model({});
+    if (bend > 5) {
+      expect_closed(before);
+      continue;
+    }
     EXPECT_FALSE(before["closed"]);
     ASSERT_TRUE(before["suggested_angle_deg"].is_number());
     const double angle = before["suggested_angle_deg"];
     EXPECT_LT(angle, bend);
     EXPECT_GT(angle, bend / 2);
-    const auto after = model({"--angle", std::to_string(angle)});
-    EXPECT_TRUE(after["closed"]);
-    EXPECT_EQ(after["polygons"], 7);
-    EXPECT_TRUE(after["suggested_angle_deg"].is_null());
+    expect_closed(model({"--angle", std::to_string(angle)}));
   }
 }
 

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
-// Where a polygon was felt, and where readings have passed through it, when it is cut in two and joined again.
+// Where a polygon was felt, and where readings have passed through it, when it is cut in two and joined
+// again.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -62,7 +63,9 @@ TEST(Felt, WhereLambdaGrowsReadingsAreAsManyToItsSquare) {
     sum += felt.density(setting.least.lambda / setting.scale_at(p).lambda) * 16 / (across * across);
   }
   EXPECT_NEAR(sum / 100'000, 1, 0.02);
-  const auto at = [&](double x) { return felt.density(setting.least.lambda / setting.scale_at({x, 0, 0}).lambda); };
+  const auto at = [&](double x) {
+    return felt.density(setting.least.lambda / setting.scale_at({x, 0, 0}).lambda);
+  };
   EXPECT_GT(at(0), 5 * at(4));
 }
 

@@ -4,6 +4,7 @@
 // enough to tell.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "judged_scan.hpp"
@@ -48,11 +49,16 @@ TEST(Folds, OfMoreThanTheAngularResolutionShareTheirEdge) {
     }
 }
 
-TEST(Folds, OfLessShareNothing) {
-  for (const double degrees : {9.0, -9.0, 5.0, -5.0})
+TEST(Folds, OfLessShareTheirEdgeAtTheEndOfInputAloneAndFromHalfOfItOn) {
+  for (const double degrees : {9.0, -9.0, 7.0, -7.0, 4.5, -4.5, 3.0, -3.0})
     for (const std::uint64_t seed : {1, 2}) {
       SCOPED_TRACE(std::to_string(degrees) + " degrees, seed " + std::to_string(seed));
-      const JudgedScan scan = sampled_scan(folded(degrees), 0.1, 0, seed);
+      JudgedScan scan = sampled_scan(folded(degrees), 0.1, 0, seed);
+      EXPECT_EQ(shared_edges(closely_watched(scan)), std::abs(degrees) > 5 ? 1 : 0);
+      Model before(scan.parameters);
+      for (const auto& point : scan.points) before.update({&point, 1});
+      EXPECT_EQ(shared_edges(before), 0);
+      scan.parameters.rules = Rules::parse("-bends");
       EXPECT_EQ(shared_edges(closely_watched(scan)), 0);
     }
 }
