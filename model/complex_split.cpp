@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // One polygon segment becomes two.
+#include <limpet/geometry/predicates.hpp>
+
 #include "complex_internal.hpp"
 #include "divided_data_internal.hpp"
 

@@ -68,7 +68,8 @@ bool gives_way(const Complex& complex, const RingPart& part, double at_angle) {
   const Setting& setting = complex.setting();
   if (twice_area <= 0)
     return depth * setting.step < at_angle ||
-           is_spur(setting.rules(), setting.scale_at(polygon.at(part.corner)).gap, twice_area / 2, depth);
+           is_spur(setting.rules(), setting.scale_at(polygon.position(part.between.front())).gap,
+                   twice_area / 2, depth);
   Addition bay = addition_on(polygon, outline);  // up to the two shared edges, which will end at the corner
   bay.limits.push_back(limit_along(polygon, polygon.perimeter.at(part.before), part.corner));
   bay.limits.push_back(limit_along(polygon, part.corner, polygon.perimeter.end(part.after)));
@@ -88,7 +89,7 @@ Refusal fit_corner(const Complex& complex, const Ring& ring, RingPart& part, con
   const auto corner = place_of_corner(complex, ring, part);
   if (!corner) return Refusal::corner_far;
   const Setting& setting = complex.setting();
-  const Scale scale = setting.scale_at(*corner);
+  const Scale scale = setting.scale_at(polygon.position(part.between.front()));
   const double lambda2 = scale.lambda2,
                distance = reach.at_angle(scale.lambda, setting.parameters.tolerance, least_sine(ring)),
                distance2 = distance * distance;

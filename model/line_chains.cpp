@@ -88,10 +88,13 @@ class ChainWalk {
 
   /// The point where the edge from `from` to `far` leaves the strip around the line, on the side of `far`.
   Station cut(const Station& from, const Station& far) const {
-    const double limit = std::copysign(0.999 * reach_at(from.place), far.offset);
-    const double fraction = (limit - from.offset) / (far.offset - from.offset);
+    // Where λ grows with the range so does the strip's width, as good as evenly along an edge.
+    const double here = std::copysign(0.999 * reach_at(from.place), far.offset),
+                 there = std::copysign(0.999 * reach_at(far.place), far.offset);
+    const double fraction = (here - from.offset) / (far.offset - from.offset - (there - here));
     const Point2 at = geometry::round_to_grid(from.at + fraction * (far.at - from.at));
-    return {from.place + fraction * (far.place - from.place), limit, at, geometry::kNoSlot};
+    return {from.place + fraction * (far.place - from.place), here + fraction * (there - here), at,
+            geometry::kNoSlot};
   }
 
   bool within_window(const Station& s) const {

@@ -123,6 +123,28 @@ TEST(GrowingResolution, ARoomHoldsTheLawsAndGoesOnFromItsState) {
   EXPECT_EQ(broken_laws(whole.record()), "");
 }
 
+/// Where λ grows a strip along a line widens; edges that are near at one end and far off at the other were
+/// once cut at a place beyond the stars.
+TEST(GrowingResolution, RoomsHoldTheLawsHoweverSparse) {
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const simulation::Mesh room = simulation::make_shape("room:" + std::to_string(seed) + ":3:2");
+    simulation::ScanOptions options;
+    options.order = simulation::ScanOptions::Order::turning;
+    options.points = 15'000 * static_cast<std::int64_t>(seed);
+    options.noise = 0.001;
+    options.seed = seed;
+    options.viewpoints = {{2.05, 2.1, 1.6}, {4.1, 1.9, 1.6}};
+    Points points;
+    for (const auto& p : simulation::scan(room, options)) points.push_back(p.point);
+    Random random(seed);
+    shuffle(points, random);
+    for (const double growth : {0.09, 0.2, 0.25})
+      EXPECT_EQ(broken_laws(modelled(growing(0.01, growth, options.viewpoints), points).record()), "")
+          << growth;
+  }
+}
+
 TEST(GrowingResolution, ParametersThatSayNothingAreRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NO_THROW(Model(growing(0.01, 0.25, {{0, 0, 0}})));
