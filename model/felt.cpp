@@ -51,7 +51,8 @@ double mean_thinning(const Setting& setting, const geometry::Chart& chart,
   double sum = 0;
   int inside = 0;
   for (int i = 0; i < kAcross * kAcross; ++i) {
-    const double x = (i % kAcross + 0.5) / kAcross, y = (i / kAcross + 0.5) / kAcross;
+    const int column = i % kAcross, row = i / kAcross;
+    const double x = (column + 0.5) / kAcross, y = (row + 0.5) / kAcross;
     const geometry::Point2 p = geometry::round_to_grid(
         {box.low.x + x * (box.high.x - box.low.x), box.low.y + y * (box.high.y - box.low.y)});
     if (perimeter.locate(p) == geometry::Polygon::Side::outside) continue;

@@ -59,7 +59,8 @@ TEST(Felt, WhereLambdaGrowsReadingsAreAsManyToItsSquare) {
   double sum = 0;
   const int across = 64;
   for (int i = 0; i < across * across; ++i) {
-    const Vector3d p(4 * (i % across + 0.5) / across, 4 * (i / across + 0.5) / across, 0);
+    const int column = i % across, row = i / across;
+    const Vector3d p(4 * (column + 0.5) / across, 4 * (row + 0.5) / across, 0);
     sum += felt.density(setting.least.lambda / setting.scale_at(p).lambda) * 16 / (across * across);
   }
   EXPECT_NEAR(sum / 100'000, 1, 0.02);

@@ -123,8 +123,6 @@ TEST(GrowingResolution, ARoomHoldsTheLawsAndGoesOnFromItsState) {
   EXPECT_EQ(broken_laws(whole.record()), "");
 }
 
-/// Where λ grows a strip along a line widens; edges that are near at one end and far off at the other were
-/// once cut at a place beyond the stars.
 TEST(GrowingResolution, RoomsHoldTheLawsHoweverSparse) {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
