@@ -7,18 +7,23 @@
 
 namespace limpet::model::internal {
 
-void Passages::add(const Eigen::Vector3d& p, double apart, std::int64_t count) {
+std::int64_t* Passages::count_at(const Eigen::Vector3d& p, double apart) {
   const auto near = std::find_if(places_.begin(), places_.end(), [&](const Place& place) {
     return (place.at - p).squaredNorm() < apart * apart;
   });
-  if (near != places_.end())
-    near->count += count;
-  else if (places_.size() < kMostPassages)
-    places_.push_back({p, count});
+  if (near != places_.end()) return &near->count;
+  if (places_.size() == kMostPassages) return nullptr;
+  places_.push_back({p, 0});
+  return &places_.back().count;
+}
+
+void Passages::add(const Eigen::Vector3d& p, double apart) {
+  if (std::int64_t* count = count_at(p, apart)) ++*count;
 }
 
 void Passages::add(const Passages& other, double apart) {
-  for (const Place& place : other.places_) add(place.at, apart, place.count);
+  for (const Place& place : other.places_)
+    if (std::int64_t* count = count_at(place.at, apart)) *count = std::max(*count, place.count);
   rays_ += other.rays_, through_ += other.through_;
 }
 

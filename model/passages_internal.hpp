@@ -19,8 +19,9 @@ class Passages {
   };
 
   /// A reading has passed at p. A few places are kept, at least `apart` from each other.
-  void add(const Eigen::Vector3d& p, double apart, std::int64_t count = 1);
-  /// Those of a polygon that has merged into this one.
+  void add(const Eigen::Vector3d& p, double apart);
+  /// Those of a polygon that has merged into this one. What has passed near both was noted with both, and
+  /// counts once.
   void add(const Passages& other, double apart);
   /// Hands the places there to the passages of a part that is cut off, with `share` of the readings that have
   /// passed through. The counts add up to what they were.
@@ -36,6 +37,9 @@ class Passages {
   auto members() const { return std::tie(places_, rays_, through_); }
 
  private:
+  /// The count of the place that is within `apart` of p, or of a new one; null: there are too many.
+  std::int64_t* count_at(const Eigen::Vector3d& p, double apart);
+
   std::vector<Place> places_;
   std::int64_t rays_ = 0, through_ = 0;
 };

@@ -75,7 +75,7 @@ TEST(Passages, AreDividedWithThePolygon) {
   Passages all;
   std::int64_t passed = 0;
   for (int i = 0; i < 500; ++i) {
-    all.add({random.uniform(0, 4), random.uniform(0, 4), 0}, 1, 2);
+    all.add({random.uniform(0, 4), random.uniform(0, 4), 0}, 1);
     if (i % 3 == 0) all.note_through(5), ++passed;
   }
   const auto count = [](const Passages& p) {
@@ -95,6 +95,18 @@ TEST(Passages, AreDividedWithThePolygon) {
   EXPECT_GE(piece.through(), piece.rays());
   rest.add(piece, 1);
   EXPECT_EQ(count(rest), places);
+}
+
+/// A surface begins as several polygons, and a ray that passes near them is noted with each.
+TEST(Passages, OfOneRayNotedWithSeveralPolygonsCountOnce) {
+  Passages whole, part;
+  for (Passages* passages : {&whole, &part}) passages->add(Vector3d(1, 1, 0), 0.5);
+  part.add(Vector3d(3, 1, 0), 0.5), part.add(Vector3d(3, 1.1, 0), 0.5);
+  whole.add(part, 0.5);
+  whole.add(part, 0.5);
+  ASSERT_EQ(whole.places().size(), 2u);
+  EXPECT_EQ(whole.places()[0].count, 1);
+  EXPECT_EQ(whole.places()[1].count, 2);
 }
 
 }  // namespace
