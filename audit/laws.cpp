@@ -67,7 +67,9 @@ double resolution_at(const Document& document, const Moments& moments) {
     }
     least2 = std::min(least2, distance2);
   }
-  return (document.resolution + document.widening * std::sqrt(least2)) * (1 + 1e-12);
+  // A widening from nowhere, or without end, is a law of its own.
+  const double resolution = (document.resolution + document.widening * std::sqrt(least2)) * (1 + 1e-12);
+  return std::isfinite(resolution) ? resolution : document.resolution;
 }
 
 }  // namespace
