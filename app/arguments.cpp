@@ -75,7 +75,7 @@ survey::ResolutionLaw parse_resolution(const std::string& option, const std::str
     throw UsageError(option + " '" + text + "': give a; or a,b for a + b times the range");
   if (!(numbers[0] > 0)) throw UsageError(option + " " + text + ": must be greater than 0");
   const double growth = numbers.size() > 1 ? numbers[1] : 0;
-  if (growth < 0 || growth > 0.25)
+  if (growth < 0 || growth > model::kMostResolutionGrowth)
     throw UsageError(option + " " + text + ": may grow by 0 to 0.25 times the range");
   return {numbers[0], growth};
 }

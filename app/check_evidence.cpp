@@ -23,10 +23,9 @@ ModelArguments as_modelled(const CheckArguments& args, const model::Parameters& 
   modelled.scan = args.scan;
   modelled.viewpoint = args.viewpoint;
   modelled.orient = args.orient;
-  modelled.resolution = survey::ResolutionLaw{parameters.resolution, parameters.resolution_per_range};
+  modelled.resolution = survey::resolution_of(parameters);
   modelled.tolerance = parameters.tolerance;
-  modelled.noise =
-      survey::NoiseLaw{parameters.noise, parameters.noise_per_range, parameters.noise_per_range2};
+  modelled.noise = survey::noise_of(parameters);
   return modelled;
 }
 

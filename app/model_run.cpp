@@ -73,7 +73,7 @@ model::Model ModelRun::begin() {
   model::Model model = make_model(choice.parameters);
   if (!args_.initial.empty()) add_initial(model, args_.initial);
   if (!args_.labels.empty()) model.keep_labels();
-  order_cell_ = choice.order_cell;
+  order_cell_ = choice.near_resolution;
   put_in_order();
   return model;
 }
@@ -277,13 +277,13 @@ void ModelRun::report(const Summary& summary) const {
 
 void ModelRun::warn_of_density(const Summary& summary) const {
   const survey::Estimate found = survey::estimate(sample_);
-  if (summary.resolution.varies()) return;
-  const double lambda = summary.resolution.fixed, density = lambda * lambda / found.area_per_point;
-  if (!(found.area_per_point > 0) || density >= kEnoughPoints) return;
+  const double density = survey::points_to_square(found, summary.resolution);
+  if (!(found.area_per_point > 0) || !(density < kEnoughPoints)) return;
   std::fprintf(stderr,
-               "limpet: warning: %.1f points per square of the resolution %.4g are too few for surfaces to "
-               "link up; --resolution %.3g would do\n",
-               density, lambda, survey::suitable_resolution(found, summary.noise).fixed);
+               "limpet: warning: %.1f points per square of the resolution %s are too few for surfaces to "
+               "link up; --resolution %s would do\n",
+               density, short_text(summary.resolution).c_str(),
+               short_text(survey::suitable_resolution(found, summary.noise)).c_str());
 }
 
 }  // namespace limpet::app

@@ -50,12 +50,8 @@ survey::Choice choose(survey::PointStream& scan, const ModelArguments& args) {
 void say_choice(const ModelArguments& args, const model::Parameters& parameters) {
   if (args.quiet || (args.resolution && args.noise)) return;
   std::string text;
-  if (!args.resolution)
-    text += " --resolution " +
-            short_text(survey::ResolutionLaw{parameters.resolution, parameters.resolution_per_range});
-  if (!args.noise)
-    text += " --noise " + short_text(survey::NoiseLaw{parameters.noise, parameters.noise_per_range,
-                                                      parameters.noise_per_range2});
+  if (!args.resolution) text += " --resolution " + short_text(survey::resolution_of(parameters));
+  if (!args.noise) text += " --noise " + short_text(survey::noise_of(parameters));
   if (!args.tolerance) text += " --tolerance " + io::short_text(parameters.tolerance);
   std::fprintf(for_people(args), "chosen from the scan:%s\n", text.c_str());
 }

@@ -33,8 +33,8 @@ Summary summarise(const model::ModelRecord& model, std::span<const model::OpenEd
   s.refused = model.refused;
   s.expired = model.expired;
   s.sets = model.sets;
-  s.resolution = {model.parameters.resolution, model.parameters.resolution_per_range};
-  s.noise = {model.parameters.noise, model.parameters.noise_per_range, model.parameters.noise_per_range2};
+  s.resolution = survey::resolution_of(model.parameters);
+  s.noise = survey::noise_of(model.parameters);
   s.tolerance = model.parameters.tolerance;
   s.polygons = static_cast<std::int64_t>(model.polygon_segments.size());
   s.segments = s.polygons + static_cast<std::int64_t>(model.point_segments.size());

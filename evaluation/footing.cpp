@@ -31,7 +31,7 @@ std::vector<Ground> grounds_of(const model::ModelRecord& model) {
 }
 
 Tolerance::Tolerance(const model::ModelRecord& model)
-    : noise_{model.parameters.noise, model.parameters.noise_per_range, model.parameters.noise_per_range2},
+    : noise_(survey::noise_of(model.parameters)),
       least_(model.parameters.tolerance),
       rounding_(2 * model.grid_step + model.parameters.input_quantum) {}
 

@@ -140,7 +140,8 @@ void read_version(Fields& in) {
 void read_widening(Fields& in, model::Parameters& p) {
   p.resolution_per_range = in.real();
   const std::int64_t sensors = in.count();
-  if (sensors < 1 || sensors > 64) in.fail("the resolution grows from 1 to 64 places");
+  if (sensors < 1 || sensors > std::int64_t{model::kMostSensors})
+    in.fail("the resolution grows from 1 to 64 places");
   in.done();
   for (std::int64_t i = 0; i < sensors; ++i) {
     in.line("sensor");

@@ -42,7 +42,7 @@ class VoidSearch {
         addition_(addition),
         lambda_(complex.setting().scale_at(middle_of(addition)).lambda),
         density_(part_.felt
-                     ? part_.felt->density(complex.setting().least.lambda / lambda_)
+                     ? part_.felt->density(complex.setting().least.lambda2 / (lambda_ * lambda_))
                      : static_cast<double>(s.count()) / area_felt(part_.chart, part_.perimeter, s.count())),
         most_(most_expected_in_empty_disc(complex.now())),
         unseen_(complex.rules().near ? kUnextended * lambda_ : 0),

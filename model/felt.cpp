@@ -107,11 +107,11 @@ double Felt::distance(const Eigen::Vector3d& p, double within) const {
   return within;
 }
 
-double Felt::density(double part) const {
-  double points = 0, area = 0, thinning = 0;
+double Felt::density(double thinning) const {
+  double points = 0, area = 0, thinned = 0;
   for (const Part& p : parts_)
-    points += static_cast<double>(p.points), area += p.area, thinning += p.area * p.thinning;
-  return area > 0 ? points / area * (part * part / (thinning / area)) : 0;
+    points += static_cast<double>(p.points), area += p.area, thinned += p.area * p.thinning;
+  return area > 0 ? points / area * (thinning / (thinned / area)) : 0;
 }
 
 }  // namespace limpet::model::internal

@@ -38,9 +38,9 @@ class Felt {
   /// How far a place in the plane is from the nearest that was felt, 0 inside; `within` if that is nearer.
   double distance(const Eigen::Vector3d& p, double within) const;
   /// Readings to a unit of area of the felt parts and half the space between two readings around them.
-  /// Where λ grows with the range readings are as many to λ² everywhere: `part` is the least λ over that of
-  /// the place.
-  double density(double part) const;
+  /// Where λ grows with the range readings are as many to λ² everywhere; `thinning` is the square of the
+  /// least λ over that of the place.
+  double density(double thinning = 1) const;
   /// Has finish() added anything to the polygon?
   bool is_all() const { return !added_to_; }
   void note_addition() { added_to_ = true; }

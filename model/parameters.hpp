@@ -2,19 +2,25 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <limpet/model/rules.hpp>
 #include <vector>
 
 namespace limpet::model {
 
+/// Of a resolution that grows with the range: its growth, and the places that it grows from.
+inline constexpr double kMostResolutionGrowth = 0.25;
+inline constexpr std::size_t kMostSensors = 64;
+
 /// The parameters of a model. Lengths are in the scan's unit.
 struct Parameters {
   double resolution = 0.05;  ///< λ: gaps smaller than this are not represented; > 0
   /// Growth of λ per unit of the distance to the nearest of `sensors`, for scanners that stand still and send
-  /// their rays at equal angles; 0 to 0.25, dimensionless.
+  /// their rays at equal angles; 0 to kMostResolutionGrowth, dimensionless.
   double resolution_per_range = 0;
-  std::vector<Eigen::Vector3d> sensors;    ///< where scanners stood, where λ grows from (world); at most 64
+  std::vector<Eigen::Vector3d>
+      sensors;  ///< where scanners stood, where λ grows from (world); at most kMostSensors
   double angle_rad = 0.17453292519943295;  ///< μ: angles smaller than this are not told apart; in (0, π/2)
   double noise = 0;                        ///< standard deviation of a reading along its axis; ≥ 0
   double noise_per_range = 0;              ///< growth of the noise per unit of range; ≥ 0, dimensionless

@@ -42,13 +42,17 @@ bool is_thin(const Setting& setting, const PolygonPart& part) {
   return length > kLeastSliver && area < kSliverWidth * length;
 }
 
-/// Did the polygon get only the readings that another left over along its edge? Then it lies within the
-/// tolerance of that, and was felt so much less densely.
+bool is_narrow(const Setting& setting, const PolygonPart& part) {
+  const auto [area, length] = size_of(setting, part);
+  return length > kLeastSliver && area < kLeftOverWidth * length;
+}
+
+/// Did the narrow polygon get only the readings that another left over along its edge? Then it lies within
+/// the tolerance of that, and was felt so much less densely.
 bool is_left_over(const Setting& setting, const Segment& s, const std::vector<const Segment*>& others) {
-  const auto [area, length] = size_of(setting, *s.polygon);
-  if (!(length > kLeastSliver && area < kLeftOverWidth * length)) return false;
   const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance;
-  const auto leaves_over = [&, own = area](const Segment* other) {
+  const double own = size_of(setting, *s.polygon).first;
+  const auto leaves_over = [&](const Segment* other) {
     const double theirs = size_of(setting, *other->polygon).first;
     return static_cast<double>(s.count()) * theirs <
                kLeftOverPart * static_cast<double>(other->count()) * own &&
@@ -63,14 +67,15 @@ bool is_left_over(const Setting& setting, const Segment& s, const std::vector<co
 bool lies_on_others(const Complex& complex, const Segment& s) {
   const PolygonPart& part = *s.polygon;
   const Setting& setting = complex.setting();
+  const bool patch_or_sliver = is_small(setting, part) && (part.shared.empty() || is_thin(setting, part));
+  if (!patch_or_sliver && !is_narrow(setting, part)) return false;
   std::vector<std::uint32_t> found;
   complex.polygons().query(part.box, found);
   std::vector<const Segment*> others;
   for (const std::uint32_t slot : found)
     if (const Segment& other = complex.at(slot); other.count() > kLargerPart * s.count())
       others.push_back(&other);
-  const bool alone_or_thin = part.shared.empty() || is_thin(setting, part);
-  if (!(is_small(setting, part) && alone_or_thin) && !is_left_over(setting, s, others)) return false;
+  if (!patch_or_sliver && !is_left_over(setting, s, others)) return false;
   bool all = !others.empty();
   for_each_edge(part.perimeter, [&](Slot vertex) {
     all = all && std::any_of(others.begin(), others.end(), [&](const Segment* other) {

@@ -11,8 +11,6 @@
 namespace limpet::model::internal {
 namespace {
 
-constexpr std::size_t kMostSensors = 64;
-
 void require_parameter(bool good, const char* what) {
   if (!good) throw std::invalid_argument(what);
 }
@@ -37,7 +35,7 @@ Setting::Setting(const Parameters& p) : parameters(p) {
   require_parameter(p.outlier_patience >= 0,
                     "the patience with outliers must be a number of sensor points, 0 or more");
   require_parameter(p.resolution > 1e-150 && p.resolution < 1e150, "the linear resolution is out of range");
-  require_parameter(p.resolution_per_range >= 0 && p.resolution_per_range <= 0.25,
+  require_parameter(p.resolution_per_range >= 0 && p.resolution_per_range <= kMostResolutionGrowth,
                     "what the resolution grows by with the range must be 0 to 0.25");
   require_parameter(p.resolution_per_range == 0 || (!p.sensors.empty() && p.sensors.size() <= kMostSensors),
                     "a resolution that grows with the range needs the places of 1 to 64 sensors");

@@ -52,14 +52,6 @@ void set_noise(model::Parameters& parameters, const NoiseLaw& noise) {
   parameters.noise_per_range2 = noise.per_range2;
 }
 
-ResolutionLaw resolution_of(const model::Parameters& parameters) {
-  return {parameters.resolution, parameters.resolution_per_range};
-}
-
-NoiseLaw noise_of(const model::Parameters& parameters) {
-  return {parameters.noise, parameters.noise_per_range, parameters.noise_per_range2};
-}
-
 std::string resolution_reason(const Choice& choice) {
   if (choice.known.resolution || !choice.estimate) return "given";
   if (resolution_of(choice.parameters).varies())
@@ -80,7 +72,7 @@ std::string noise_reason(const Choice& choice) {
 
 std::string tolerance_reason(const Choice& choice) {
   if (choice.known.tolerance) return "given";
-  return choice.parameters.tolerance > io::short_number(choice.order_cell / 5)
+  return choice.parameters.tolerance > io::short_number(choice.near_resolution / 5)
              ? "three times the noise, where it is greatest"
              : "a fifth of the resolution";
 }
@@ -115,17 +107,18 @@ Choice choose(PointStream& points, const Known& known) {
   choice.parameters.resolution = resolution.fixed;
   choice.parameters.resolution_per_range = resolution.per_range;
   if (resolution.varies()) choice.parameters.sensors = ahead.estimate().sensors;
-  choice.order_cell = resolution.varies() ? resolution.at(ahead.estimate().near_range) : resolution.fixed;
+  choice.near_resolution =
+      resolution.varies() ? resolution.at(ahead.estimate().near_range) : resolution.fixed;
   if (known.tolerance) {
     choice.parameters.tolerance = *known.tolerance;
   } else {
     const double far_noise = noise.varies() ? noise.at(ahead.estimate().far_range) : noise.fixed;
-    choice.parameters.tolerance = io::short_number(suitable_tolerance(far_noise, choice.order_cell));
+    choice.parameters.tolerance = io::short_number(suitable_tolerance(far_noise, choice.near_resolution));
   }
   if (!points.has_axes()) {
     const Estimate& found = ahead.estimate();
-    choice.voxel_edge =
-        Orientation::suitable_edge(found.area_per_point, found.noise.at(found.far_range), choice.order_cell);
+    choice.voxel_edge = Orientation::suitable_edge(found.area_per_point, found.noise.at(found.far_range),
+                                                   choice.near_resolution);
   }
   choice.estimate = ahead.found();
   choice.points = ahead.count();

@@ -17,7 +17,7 @@
 ///     const survey::Choice choice = survey::choose(points);
 ///     if (!points.has_axes()) points.orient(choice.voxel_edge);
 ///     model::Model model(choice.parameters);
-///     survey::OrderedPoints ordered(points, {.cell = choice.order_cell});
+///     survey::OrderedPoints ordered(points, {.cell = choice.near_resolution});
 ///     std::vector<model::SensorPoint> set;
 ///     while (ordered.next_set(set)) model.update(set);
 ///     model.finish();
@@ -43,7 +43,9 @@ struct Choice {
   /// Of the voxels by which a scan without sensing axes is oriented (PointStream::orient()), scan's unit; 0:
   /// the scan says its axes.
   double voxel_edge = 0;
-  double order_cell = 0;  ///< of the curve along which the scan is put in order (Ordering::cell), scan's unit
+  /// λ where the scan is near its sensors (at 5 % of the ranges), or everywhere: the cell of the curve along
+  /// which it is put in order (Ordering::cell), scan's unit.
+  double near_resolution = 0;
   std::int64_t points = -1;  ///< how many points the scan has; -1: not known
 };
 

@@ -28,10 +28,11 @@ using Box = bg::model::box<Point>;
 using PointTree = bgi::rtree<std::pair<Point, std::uint32_t>, bgi::rstar<16>>;
 using BoxTree = bgi::rtree<std::pair<Box, std::uint32_t>, bgi::rstar<16>>;
 
-constexpr std::size_t kCentres = 1000, kMostSensors = 64;
+constexpr std::size_t kCentres = 1000;
 constexpr double kSparseShare = 0.05;  ///< of the surface, which is its sparse part
 /// Points to λ² there, where λ grows with the range. With three of them, far walls of rooms came to pieces.
 constexpr double kSparsePoints = 5;
+constexpr double kGrowsAbove = 1.5;  ///< see suitable_resolution()
 constexpr int kNeighbours = 16;
 constexpr double kFlat = 0.15;  ///< thickness over radius below which a neighbourhood is a surface
 
@@ -152,15 +153,22 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-/// The area per point that is exceeded on 5 % of the surface. Each value is also the area its point stands
-/// for.
-double sparse(const std::vector<double>& ascending) {
-  double left = kSparseShare * mean(ascending) * static_cast<double>(ascending.size());
-  for (auto at = ascending.rbegin(); at != ascending.rend(); ++at) {
-    left -= *at;
-    if (left <= 0) return *at;
+/// The value that is exceeded on 5 % of the surface. With each goes the area that it stands for.
+double sparse(std::vector<std::pair<double, double>> values) {
+  std::sort(values.begin(), values.end());
+  double left = 0;
+  for (const auto& [value, area] : values) left += kSparseShare * area;
+  for (auto at = values.rbegin(); at != values.rend(); ++at) {
+    left -= at->second;
+    if (left <= 0) return at->first;
   }
   return 0;
+}
+
+double sparse_area(const std::vector<double>& areas) {
+  std::vector<std::pair<double, double>> values;
+  for (const double area : areas) values.emplace_back(area, area);
+  return sparse(std::move(values));
 }
 
 /// The finest scale at which the neighbourhood of a centre is flat; an empty patch where there is none.
@@ -217,24 +225,15 @@ std::vector<Patch> look_at(const Sampled& sample, const std::vector<std::size_t>
 
 /// See Estimate::sparse_per_range.
 double sparse_per_range(const std::vector<Patch>& patches, const std::vector<Eigen::Vector3d>& sensors) {
-  std::vector<std::pair<double, double>> found;  // per range, and the area it stands for
-  double area = 0;
+  std::vector<std::pair<double, double>> values;
   for (const Patch& patch : patches) {
-    const double at_point = patch.finest_area;
     double range2 = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& sensor : sensors)
       range2 = std::min(range2, (patch.at - sensor).squaredNorm());
-    if (!(at_point > 0) || !(range2 > 0) || std::isinf(range2)) continue;
-    found.emplace_back(std::sqrt(kSparsePoints * at_point / range2), at_point);
-    area += at_point;
+    if (patch.finest_area > 0 && range2 > 0 && !std::isinf(range2))
+      values.emplace_back(std::sqrt(kSparsePoints * patch.finest_area / range2), patch.finest_area);
   }
-  std::sort(found.begin(), found.end());
-  double left = kSparseShare * area;
-  for (auto at = found.rbegin(); at != found.rend(); ++at) {
-    left -= at->second;
-    if (left <= 0) return at->first;
-  }
-  return 0;
+  return sparse(std::move(values));
 }
 
 Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches) {
@@ -257,9 +256,9 @@ Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches) {
   }
   for (const auto& p : sample.points) ranges.push_back(p.range);
   areas = trimmed(std::move(areas));
-  const std::vector<Eigen::Vector3d> sensors = sensor_places(sample.points, kMostSensors);
+  const std::vector<Eigen::Vector3d> sensors = sensor_places(sample.points, model::kMostSensors);
   return {mean(areas),
-          sparse(areas),
+          sparse_area(areas),
           fit_noise_law(noises),
           quantile(ranges, 0.05),
           quantile(ranges, 0.95),
@@ -315,13 +314,6 @@ Estimate estimate(const std::function<void(const Take&)>& pass) {
   return summarise(sample, look_at(sample, centres, fine, coarse));
 }
 
-namespace {
-
-constexpr double kMostGrowth = 0.25;  ///< that a model takes (model::Parameters)
-constexpr double kGrowsAbove = 1.5;   ///< see suitable_resolution()
-
-}  // namespace
-
 double ResolutionBounds::largest() const { return std::max({density, sparse_parts, noise}); }
 
 ResolutionBounds resolution_bounds(const Estimate& estimate, const NoiseLaw& noise) {
@@ -332,11 +324,19 @@ ResolutionBounds resolution_bounds(const Estimate& estimate, const NoiseLaw& noi
 
 ResolutionLaw suitable_resolution(const Estimate& estimate, const NoiseLaw& noise) {
   const double everywhere = resolution_bounds(estimate, noise).largest();
-  const double growth = std::min(estimate.sparse_per_range, kMostGrowth), near = estimate.near_range;
+  const double growth = std::min(estimate.sparse_per_range, model::kMostResolutionGrowth),
+               near = estimate.near_range;
   const bool asked_for =
       growth * estimate.far_range > kGrowsAbove * everywhere && estimate.far_range > kGrowsAbove * near;
   if (!asked_for) return everywhere;
   return {std::max(10 * noise.at(near) - growth * near, growth * near / 10), growth};
+}
+
+double points_to_square(const Estimate& estimate, const ResolutionLaw& resolution) {
+  if (!resolution.varies()) return resolution.fixed * resolution.fixed / estimate.area_per_point;
+  const double far = estimate.sparse_per_range * estimate.far_range,
+               part = resolution.at(estimate.far_range) / far;
+  return kSparsePoints * part * part;
 }
 
 double suitable_tolerance(double noise, double resolution) { return std::max(3 * noise, resolution / 5); }

@@ -20,10 +20,10 @@ struct Estimate {
   NoiseLaw noise;             ///< standard deviation of a reading along its axis
   double near_range = 0;      ///< 95 % of the points are farther from the sensor, scan's unit; 0: not known
   double far_range = 0;       ///< 5 % of the points are farther
-  /// The same of the length √(area for three points) over the distance to the nearest sensor, a pure number:
+  /// The same of the length √(area for five points) over the distance to the nearest sensor, a pure number:
   /// what λ would grow by. Here surfaces seen at a grazing angle count, too. 0: ranges are not known.
   double sparse_per_range = 0;
-  std::vector<Eigen::Vector3d> sensors;  ///< where they stood (sensor_places()), at most 64
+  std::vector<Eigen::Vector3d> sensors;  ///< where they stood (sensor_places()), at most model::kMostSensors
   std::int64_t points = 0;               ///< points that were looked at, copies too
 };
 
@@ -54,6 +54,10 @@ ResolutionBounds resolution_bounds(const Estimate& estimate, const NoiseLaw& noi
 /// λ that suits the scan: the largest of these; or one that grows with the range, where far surfaces have so
 /// few points that they ask for half as much again.
 ResolutionLaw suitable_resolution(const Estimate& estimate, const NoiseLaw& noise);
+
+/// How many points there are to λ²: as a mean; where λ grows with the range, where the scan is sparse.
+/// Infinite or none where the estimate does not tell.
+double points_to_square(const Estimate& estimate, const ResolutionLaw& resolution);
 
 /// How far from its plane a surface may be: three times the noise, taken where it is greatest, or λ/5.
 double suitable_tolerance(double noise, double resolution);

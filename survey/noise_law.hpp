@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <limpet/model/parameters.hpp>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ struct NoiseLaw {
   /// Does it grow with the range?
   bool varies() const { return per_range > 0 || per_range2 > 0; }
 };
+
+/// The noise that a model was told.
+inline NoiseLaw noise_of(const model::Parameters& p) {
+  return {p.noise, p.noise_per_range, p.noise_per_range2};
+}
 
 /// As it is typed at the command line, each number to four digits: "a", "a,b" or "a,b,c".
 std::string short_text(const NoiseLaw& noise);

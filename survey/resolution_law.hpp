@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <limpet/model/parameters.hpp>
 #include <string>
 
 namespace limpet::survey {
@@ -17,6 +18,11 @@ struct ResolutionLaw {
   double at(double range) const { return fixed + per_range * range; }
   bool varies() const { return per_range > 0; }
 };
+
+/// λ of a model.
+inline ResolutionLaw resolution_of(const model::Parameters& p) {
+  return {p.resolution, p.resolution_per_range};
+}
 
 /// As it is typed at the command line, each number to four digits: "a" or "a,b".
 std::string short_text(const ResolutionLaw& resolution);

@@ -15,7 +15,7 @@ int main(int argc, char** argv) try {
   const auto choice = limpet::survey::choose(points);        // resolution, noise and tolerance, by the scan
   if (!points.has_axes()) points.orient(choice.voxel_edge);  // no normals: which side was it sensed from?
   limpet::model::Model model(choice.parameters);
-  limpet::survey::OrderedPoints ordered(points, {.cell = choice.order_cell});  // along a curve
+  limpet::survey::OrderedPoints ordered(points, {.cell = choice.near_resolution});  // along a curve
   std::vector<limpet::model::SensorPoint> set;
   while (ordered.next_set(set)) model.update(set);  // the model is there after every set
   model.finish();

@@ -61,6 +61,19 @@ TEST_F(TurningScan, EdgesAreCutWhereTheyLeaveTheStripAlongALine) {
   EXPECT_EQ(run({"model", room(1, {"--ranges"}), "-o", path("m.limpet"), "-q"}).code, 0);
 }
 
+TEST_F(TurningScan, AResolutionThatGrowsTooLittleIsToldWithOneThatWouldDo) {
+  const std::string scan = room(2, {"--ranges"});
+  const auto warning_of = [&](const std::string& resolution) {
+    return run({"model", scan, "-o", path("m.limpet"), "-q", "--resolution", resolution}).err;
+  };
+  const std::string warning = warning_of("0.001,0.001");
+  const std::string before = "--resolution ", after = " would do";
+  const std::size_t from = warning.find(before), to = warning.find(after);
+  ASSERT_NE(from, std::string::npos) << warning;
+  ASSERT_NE(to, std::string::npos) << warning;
+  EXPECT_EQ(warning_of(warning.substr(from + before.size(), to - from - before.size())), "");
+}
+
 TEST_F(TurningScan, AResolutionThatGrowsNeedsRangesAndBounds) {
   const std::string silent = room(1);
   const auto refused = [&](const std::string& resolution) {

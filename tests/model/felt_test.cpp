@@ -37,14 +37,14 @@ TEST(Felt, PartsThatBothHaveCountOnceHoweverOftenItIsCutAndJoined) {
   Felt felt = felt_at(setting, 0, 0, 1, 400);
   felt.add(felt_at(setting, 2, 0, 1, 800));
   felt.add(Vector3d(0.5, 1.1, 0));
-  const double density = felt.density(1);
+  const double density = felt.density();
   for (int i = 0; i < 40; ++i) {
     Felt piece = felt;
     piece.add(Vector3d(1.1, 0.5, 0));
     felt.add(std::move(piece));
   }
   EXPECT_EQ(felt.parts().size(), 2u);
-  EXPECT_EQ(felt.density(1), density);
+  EXPECT_EQ(felt.density(), density);
   EXPECT_NEAR(felt.distance({0.5, 1.2, 0}, 5), 0.1, 1e-5);
   EXPECT_NEAR(felt.distance({1.2, 0.5, 0}, 5), 0.1, 1e-5);
   EXPECT_NEAR(felt.distance({1.5, 1.5, 0}, 0.25), 0.25, 1e-5);
@@ -61,11 +61,11 @@ TEST(Felt, WhereLambdaGrowsReadingsAreAsManyToItsSquare) {
   for (int i = 0; i < across * across; ++i) {
     const int column = i % across, row = i / across;
     const Vector3d p(4 * (column + 0.5) / across, 4 * (row + 0.5) / across, 0);
-    sum += felt.density(setting.least.lambda / setting.scale_at(p).lambda) * 16 / (across * across);
+    sum += felt.density(setting.least.lambda2 / setting.scale_at(p).lambda2) * 16 / (across * across);
   }
   EXPECT_NEAR(sum / 100'000, 1, 0.02);
   const auto at = [&](double x) {
-    return felt.density(setting.least.lambda / setting.scale_at({x, 0, 0}).lambda);
+    return felt.density(setting.least.lambda2 / setting.scale_at({x, 0, 0}).lambda2);
   };
   EXPECT_GT(at(0), 5 * at(4));
 }

@@ -91,7 +91,8 @@ TEST_F(Choose, ALambdaThatGrowsWithTheRangeWhereTheSpaceBetweenPointsDoes) {
   EXPECT_LT(chosen.resolution_per_range, 0.15);
   ASSERT_EQ(chosen.sensors.size(), 1u);
   EXPECT_LT((chosen.sensors[0] - options.viewpoints[0]).norm(), 0.02);
-  EXPECT_EQ(choice.order_cell, chosen.resolution + chosen.resolution_per_range * choice.estimate->near_range);
+  EXPECT_EQ(choice.near_resolution,
+            chosen.resolution + chosen.resolution_per_range * choice.estimate->near_range);
   EXPECT_NE(explanation(choice).find("which grows with the range"), std::string::npos);
 
   const std::string file = write("silent.ply", false);
