@@ -276,6 +276,8 @@ void ModelRun::report(const Summary& summary) const {
 }
 
 void ModelRun::warn_of_density(const Summary& summary) const {
+  // A λ that was chosen to grow was chosen by two looks at the scan: what the sample tells is coarser.
+  if (summary.resolution.varies() && !args_.resolution) return;
   const survey::Estimate found = survey::estimate(sample_);
   const double density = survey::points_to_square(found, summary.resolution);
   if (!(found.area_per_point > 0) || !(density < kEnoughPoints)) return;

@@ -56,7 +56,8 @@ std::string resolution_reason(const Choice& choice) {
   if (choice.known.resolution || !choice.estimate) return "given";
   if (resolution_of(choice.parameters).varies())
     return "by the space between points, which grows with the range";
-  const ResolutionBounds bounds = resolution_bounds(*choice.estimate, noise_of(choice.parameters));
+  const NoiseLaw noise = choice.known.noise ? *choice.known.noise : rounded(choice.estimate->noise);
+  const ResolutionBounds bounds = resolution_bounds(*choice.estimate, noise);
   if (bounds.largest() == bounds.noise) return "ten times the least noise, or five times the greatest";
   if (bounds.largest() == bounds.density)
     return "five points per square of it, with an area of " +
@@ -66,6 +67,8 @@ std::string resolution_reason(const Choice& choice) {
 
 std::string noise_reason(const Choice& choice) {
   if (choice.known.noise) return "given";
+  if (noise_of(choice.parameters).fixed > rounded(choice.estimate->noise).fixed)
+    return "scatter about planes as wide as the facets of a curved surface";
   return noise_of(choice.parameters).varies() ? "scatter about planes, which grows with the range"
                                               : "scatter about planes, the same at all ranges";
 }
@@ -96,19 +99,21 @@ Choice choose(PointStream& points, const Known& known) {
   Choice choice;
   choice.known = known;
   choice.parameters = known.others;
-  const NoiseLaw noise = known.noise ? *known.noise : rounded(ahead.estimate().noise);
-  set_noise(choice.parameters, noise);
+  const NoiseLaw measured = known.noise ? *known.noise : rounded(ahead.estimate().noise);
   if (known.resolution && known.resolution->varies() && points.first()->point.range == 0)
     throw io::InputError(
         points.name(), "does not say from how far its points were sensed; give the resolution as one number");
   if (!known.resolution && !(ahead.estimate().area_per_point > 0)) refuse_few_points(points);
   const ResolutionLaw resolution =
-      known.resolution ? *known.resolution : rounded(suitable_resolution(ahead.estimate(), noise));
+      known.resolution ? *known.resolution : rounded(suitable_resolution(ahead.estimate(), measured));
   choice.parameters.resolution = resolution.fixed;
   choice.parameters.resolution_per_range = resolution.per_range;
   if (resolution.varies()) choice.parameters.sensors = ahead.estimate().sensors;
   choice.near_resolution =
       resolution.varies() ? resolution.at(ahead.estimate().near_range) : resolution.fixed;
+  const NoiseLaw noise =
+      known.noise ? measured : rounded(facet_noise(ahead.estimate(), measured, choice.near_resolution));
+  set_noise(choice.parameters, noise);
   if (known.tolerance) {
     choice.parameters.tolerance = *known.tolerance;
   } else {

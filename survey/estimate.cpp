@@ -2,6 +2,7 @@
 //
 // The surface's area per point and the noise, from the neighbours of some points of the scan. Both are taken
 // at the smallest scale at which the neighbourhood looks like a surface: below the noise a scan is a cloud.
+#include <limpet/survey/curved_patches.hpp>
 #include <limpet/survey/estimate.hpp>
 #include <limpet/survey/noise_law.hpp>
 #include <limpet/survey/rounded_depths.hpp>
@@ -34,6 +35,9 @@ constexpr double kSparseShare = 0.05;  ///< of the surface, which is its sparse 
 constexpr double kSparsePoints = 5;
 constexpr double kGrowsAbove = 1.5;  ///< see suitable_resolution()
 constexpr int kNeighbours = 16;
+constexpr int kWideNeighbours = 64;  ///< with five points to λ² they lie within 2 λ
+constexpr double kFinePart = 0.75;   ///< of these, for area and noise
+constexpr std::size_t kMostInNeighbourhood = 1300;
 constexpr double kFlat = 0.15;  ///< thickness over radius below which a neighbourhood is a surface
 
 /// Of the angle of incidence: below the one a neighbourhood says nothing of the noise, below the other
@@ -236,7 +240,23 @@ double sparse_per_range(const std::vector<Patch>& patches, const std::vector<Eig
   return sparse(std::move(values));
 }
 
-Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches) {
+/// What the neighbourhoods say that have a flat part.
+std::vector<WidePatch> wide_patches(const std::vector<Patch>& patches, const std::vector<Neighbourhood>& wide,
+                                    const NoiseLaw& noise) {
+  std::vector<WidePatch> found;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const Patch& patch = patches[i];
+    if (!(patch.area_per_point > 0)) continue;
+    std::vector<Eigen::Vector3d> points;
+    for (const auto& p : wide[i].points) points.push_back(p.position);
+    if (const auto scatter = patch_scatter(points, patch.normal))
+      found.push_back({wide[i].radius, noise.at(patch.range) * patch.cosine, *scatter});
+  }
+  return found;
+}
+
+Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches,
+                   const std::vector<Neighbourhood>& wide) {
   std::vector<double> areas, ranges;
   std::vector<NoiseAt> noises;
   // A wall of one depth is exact, unless depths are rounded elsewhere, too.
@@ -257,9 +277,11 @@ Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches) {
   for (const auto& p : sample.points) ranges.push_back(p.range);
   areas = trimmed(std::move(areas));
   const std::vector<Eigen::Vector3d> sensors = sensor_places(sample.points, model::kMostSensors);
+  const NoiseLaw noise = fit_noise_law(noises);
   return {mean(areas),
           sparse_area(areas),
-          fit_noise_law(noises),
+          noise,
+          surface_curvature(wide_patches(patches, wide, noise), patches.size()),
           quantile(ranges, 0.05),
           quantile(ranges, 0.95),
           sparse_per_range(patches, sensors),
@@ -270,13 +292,46 @@ Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches) {
 /// What the sample alone tells.
 Estimate coarse_estimate(const Sampled& sample) {
   const auto centres = centres_of(sample);
-  return summarise(sample,
-                   look_at(sample, centres, std::vector<Neighbourhood>(centres.size()), Coarse(sample)));
+  const Coarse coarse(sample);
+  const auto patches = look_at(sample, centres, std::vector<Neighbourhood>(centres.size()), coarse);
+  std::vector<Neighbourhood> wide;
+  for (const std::size_t i : centres) wide.push_back(coarse.nearest(sample.points[i], kWideNeighbours));
+  return summarise(sample, patches, wide);
 }
 
 bool holds_copy(const Neighbourhood& around, const model::SensorPoint& point) {
   return std::any_of(around.points.begin(), around.points.end(),
                      [&](const model::SensorPoint& other) { return other.position == point.position; });
+}
+
+/// Fills the neighbourhoods of these centres with the points that lie in them.
+void collect(const std::function<void(const Take&)>& pass, const Sampled& sample,
+             const std::vector<std::size_t>& centres, std::vector<Neighbourhood>& around) {
+  std::vector<std::pair<Box, std::uint32_t>> boxes;
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    const Eigen::Vector3d& at = sample.points[centres[i]].position;
+    const double reach = around[i].radius;
+    boxes.emplace_back(Box(to_point(at.array() - reach), to_point(at.array() + reach)),
+                       static_cast<std::uint32_t>(i));
+  }
+  const BoxTree tree(boxes);
+  pass([&](const model::SensorPoint& point) {
+    const Point at = to_point(point.position);
+    for (auto hit = tree.qbegin(bgi::intersects(at)); hit != tree.qend(); ++hit) {
+      Neighbourhood& one = around[hit->second];
+      const auto& centre = sample.points[centres[hit->second]];
+      if (one.points.size() == kMostInNeighbourhood || (point.position - centre.position).norm() > one.radius)
+        continue;
+      if (!sample.copies_left_out || !holds_copy(one, point)) one.points.push_back(point);
+    }
+  });
+}
+
+Neighbourhood within(Neighbourhood around, const Eigen::Vector3d& centre, double radius) {
+  std::erase_if(around.points,
+                [&](const model::SensorPoint& p) { return (p.position - centre).norm() > radius; });
+  around.radius = radius;
+  return around;
 }
 
 }  // namespace
@@ -289,29 +344,21 @@ Estimate estimate(const std::function<void(const Take&)>& pass) {
   const Sampled sample = all.result();
   if (sample.weight <= 1) return coarse_estimate(sample);
 
-  // A second look, at all the points near the centres: as far as three times `kNeighbours` should lie.
+  // A second look, at all the points near the centres.
   const Coarse coarse(sample);
   const auto centres = centres_of(sample);
-  std::vector<Neighbourhood> fine;
-  std::vector<std::pair<Box, std::uint32_t>> boxes;
+  std::vector<Neighbourhood> wide;
   for (const std::size_t i : centres) {
-    const auto& centre = sample.points[i];
-    const double reach = coarse.nearest(centre, kNeighbours).radius * std::sqrt(3 / sample.weight);
-    fine.push_back({{}, reach, 1});
-    const Eigen::Vector3d low = centre.position.array() - reach, high = centre.position.array() + reach;
-    boxes.emplace_back(Box(to_point(low), to_point(high)), static_cast<std::uint32_t>(fine.size() - 1));
+    const double here = coarse.nearest(sample.points[i], kNeighbours).radius;
+    wide.push_back({{}, here * std::sqrt(kWideNeighbours / (kNeighbours * sample.weight)), 1});
   }
-  const BoxTree tree(boxes);
-  pass([&](const model::SensorPoint& point) {
-    const Point at = to_point(point.position);
-    for (auto hit = tree.qbegin(bgi::intersects(at)); hit != tree.qend(); ++hit) {
-      Neighbourhood& around = fine[hit->second];
-      const auto& centre = sample.points[centres[hit->second]];
-      if (around.points.size() == 1000 || (point.position - centre.position).norm() > around.radius) continue;
-      if (!sample.copies_left_out || !holds_copy(around, point)) around.points.push_back(point);
-    }
-  });
-  return summarise(sample, look_at(sample, centres, fine, coarse));
+  collect(pass, sample, centres, wide);
+  std::vector<Neighbourhood> fine;
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    fine.push_back(
+        within(wide[i], sample.points[centres[i]].position, std::sqrt(kFinePart) * wide[i].radius));
+  const auto patches = look_at(sample, centres, fine, coarse);
+  return summarise(sample, patches, wide);
 }
 
 double ResolutionBounds::largest() const { return std::max({density, sparse_parts, noise}); }
@@ -330,6 +377,12 @@ ResolutionLaw suitable_resolution(const Estimate& estimate, const NoiseLaw& nois
       growth * estimate.far_range > kGrowsAbove * everywhere && estimate.far_range > kGrowsAbove * near;
   if (!asked_for) return everywhere;
   return {std::max(10 * noise.at(near) - growth * near, growth * near / 10), growth};
+}
+
+NoiseLaw facet_noise(const Estimate& estimate, const NoiseLaw& noise, double resolution) {
+  const double near = noise.at(estimate.near_range), turning = estimate.curvature * resolution * resolution,
+               both = std::min(std::hypot(near, turning), std::max(near, resolution / 15));
+  return {noise.fixed + (both - near), noise.per_range, noise.per_range2};
 }
 
 double points_to_square(const Estimate& estimate, const ResolutionLaw& resolution) {

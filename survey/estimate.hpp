@@ -18,6 +18,7 @@ struct Estimate {
   double area_per_point = 0;  ///< mean area of the surface for each point, square of the scan's unit
   double sparse_area = 0;     ///< the same where the scan is sparse: 95 % of the surface has less
   NoiseLaw noise;             ///< standard deviation of a reading along its axis
+  double curvature = 0;       ///< see surface_curvature(); one over the scan's unit
   double near_range = 0;      ///< 95 % of the points are farther from the sensor, scan's unit; 0: not known
   double far_range = 0;       ///< 5 % of the points are farther
   /// The same of the length √(area for five points) over the distance to the nearest sensor, a pure number:
@@ -54,6 +55,11 @@ ResolutionBounds resolution_bounds(const Estimate& estimate, const NoiseLaw& noi
 /// λ that suits the scan: the largest of these; or one that grows with the range, where far surfaces have so
 /// few points that they ask for half as much again.
 ResolutionLaw suitable_resolution(const Estimate& estimate, const NoiseLaw& noise);
+
+/// The noise to model the scan with at this λ: facets of a curved surface are to be some λ wide, or they find
+/// no neighbours; so a reading is off from its facet by the noise and by how far the surface turns away from
+/// it, together at most λ/15, a third of the tolerance (or the noise, where that is more).
+NoiseLaw facet_noise(const Estimate& estimate, const NoiseLaw& noise, double resolution);
 
 /// How many points there are to λ²: as a mean; where λ grows with the range, where the scan is sparse.
 /// Infinite or none where the estimate does not tell.
