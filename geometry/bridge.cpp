@@ -25,7 +25,7 @@ Slot kept_before(const Foot& q1) { return q1.edge; }
 Slot kept_after(const Polygon& y, const Foot& q2) { return q2.cut ? y.next(q2.edge) : q2.edge; }
 
 /// The vertices of `p` from `first` to `last` in order; the edge that leaves `last` is a new one.
-void append_kept(const Polygon& p, Slot first, Slot last, std::vector<NewVertex>& via) {
+void append_kept(const Polygon& p, Slot first, Slot last, Via& via) {
   for (Slot s = first;; s = p.next(s)) {
     const auto& n = p.node(s);
     if (s == last) return via.push_back({n.at});
@@ -168,14 +168,14 @@ bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
 bool bridge_self(Polygon& polygon, Slot vertex, double gap, EdgeIds& ids) {
   const Point2 v = polygon.at(vertex);
   const auto along = edges_along(polygon, vertex, 2 * gap);
+  const auto is_along = [&](Slot s) { return std::find(along.begin(), along.end(), s) != along.end(); };
   internal::SmallVector<PerimeterPoint, 16> near;
   polygon.any_edge_near(Box2{v, v}.grown(gap), [&](Slot s) {
     const auto& n = polygon.node(s);
     if (n.cycle != polygon.node(vertex).cycle || n.shared) return false;
     const double t = nearest_fraction(n.at, polygon.end(s), v);
     const Point2 at = n.at + t * (polygon.end(s) - n.at);
-    if (squared_length(at - v) < gap * gap && std::find(along.begin(), along.end(), s) == along.end() &&
-        leaves_outside(polygon, vertex, at))
+    if (squared_length(at - v) < gap * gap && !is_along(s) && leaves_outside(polygon, vertex, at))
       near.push_back({s, t, at, squared_length(at - v)});
     return false;
   });

@@ -14,13 +14,18 @@ namespace {
 
 constexpr std::size_t kMaxAttempts = 12;
 
-/// A possible end of the section: a vertex, or a point that divides the edge next to it.
+/// A possible end of the section, if it sights the new point: a vertex, or a point that divides the edge next
+/// to it.
 struct ExtensionEnd {
-  Slot vertex = kNoSlot;      ///< the last vertex kept before the section, or the first one after it
-  std::optional<Point2> cut;  ///< the end itself when it is not that vertex
-  double length = 0;          ///< along the perimeter from the nearest point
-  std::size_t steps = 0;      ///< vertices passed since the nearest edge
+  Slot vertex = kNoSlot;          ///< the last vertex kept before the section, or the first one after it
+  Slot edge = kNoSlot;            ///< that is divided
+  std::optional<Point2> cut;      ///< the end itself when it is not that vertex
+  double length = 0;              ///< along the perimeter from the nearest point
+  std::size_t steps = 0;          ///< vertices passed since the nearest edge
+  std::optional<bool> sighted{};  ///< once it has been asked
 };
+
+using Ends = internal::SmallVector<ExtensionEnd, 8>;
 
 /// Where the line from `inner`, within gap of q, to `outer`, farther away, leaves the disc around q; nothing
 /// when that is too near to one of its ends.
@@ -41,9 +46,8 @@ class ExtensionSearch {
   ExtensionSearch(const Polygon& polygon, Point2 q, double gap, const PerimeterPoint& nearest)
       : polygon_(polygon), q_(q), gap_(gap), nearest_(nearest) {}
 
-  std::vector<ExtensionEnd> ends(bool forward) const {
-    std::vector<ExtensionEnd> result;
-    result.reserve(8);
+  Ends ends(bool forward) const {
+    Ends result;
     const std::size_t limit = polygon_.cycle(polygon_.node(nearest_.edge).cycle).size;
     Slot edge = nearest_.edge;
     Point2 inner = nearest_.at;
@@ -53,23 +57,29 @@ class ExtensionSearch {
       const Slot outer = forward ? polygon_.next(edge) : edge;
       const Point2 at = polygon_.at(outer);
       if (squared_length(at - q_) >= gap_ * gap_) {
-        if (const auto cut = leaving_point(inner, at, q_, gap_); cut && visible(*cut, kNoSlot, edge))
-          result.push_back({outer, cut, length + std::sqrt(squared_length(*cut - inner)), steps});
+        if (const auto cut = leaving_point(inner, at, q_, gap_))
+          result.push_back({outer, edge, cut, length + std::sqrt(squared_length(*cut - inner)), steps});
         break;
       }
       length += std::sqrt(squared_length(at - inner));
-      if (visible(at, outer, kNoSlot)) result.push_back({outer, std::nullopt, length, steps});
+      result.push_back({outer, kNoSlot, std::nullopt, length, steps});
       inner = at;
       edge = forward ? outer : polygon_.prev(outer);
     }
     return result;
   }
 
- private:
-  bool visible(Point2 p, Slot vertex, Slot own_edge) const {
-    return sights(polygon_, {p, vertex}, {q_, kNoSlot}, {own_edge});
+  /// Asked of the longest sections first, few of which fail.
+  bool sighted(ExtensionEnd& end) const {
+    if (!end.sighted) {
+      const SightEnd from =
+          end.cut ? SightEnd{*end.cut, kNoSlot} : SightEnd{polygon_.at(end.vertex), end.vertex};
+      end.sighted = sights(polygon_, from, {q_, kNoSlot}, {end.edge});
+    }
+    return *end.sighted;
   }
 
+ private:
   const Polygon& polygon_;
   Point2 q_;
   double gap_;
@@ -91,11 +101,14 @@ Edit edit_for(const ExtensionEnd& p1, const ExtensionEnd& p2, Point2 q) {
 Extension extend_to_point(Polygon& polygon, Point2 q, double gap, EdgeIds& ids) {
   if (polygon.locate(q) != Polygon::Side::outside) return Extension::contained;
   const auto nearest = nearest_perimeter_point(polygon, q, gap);
-  if (!nearest) return Extension::refused;
-  if (polygon.node(nearest->edge).shared) return Extension::shared;
-  const ExtensionSearch search(polygon, q, gap, *nearest);
-  const auto back = search.ends(false), forward = search.ends(true);
-  const std::size_t size = polygon.cycle(polygon.node(nearest->edge).cycle).size;
+  return nearest ? extend_from(*nearest, polygon, q, gap, ids) : Extension::refused;
+}
+
+Extension extend_from(const PerimeterPoint& nearest, Polygon& polygon, Point2 q, double gap, EdgeIds& ids) {
+  if (polygon.node(nearest.edge).shared) return Extension::shared;
+  const ExtensionSearch search(polygon, q, gap, nearest);
+  auto back = search.ends(false), forward = search.ends(true);
+  const std::size_t size = polygon.cycle(polygon.node(nearest.edge).cycle).size;
 
   // Longest sections first. On a small perimeter the two ends must not pass each other on the far side.
   struct Pair {
@@ -113,10 +126,12 @@ Extension extend_to_point(Polygon& polygon, Point2 q, double gap, EdgeIds& ids) 
   std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
     return a.length != b.length ? a.length > b.length : std::pair(a.i, a.j) < std::pair(b.i, b.j);
   });
-  for (std::size_t k = 0; k < std::min(pairs.size(), kMaxAttempts); ++k) {
-    const Edit edit = edit_for(back[pairs[k].i], forward[pairs[k].j], q);
-    if (polygon.grow(edit, ids) != Verdict::valid) continue;
-    return Extension::extended;
+  std::size_t attempts = 0;
+  for (const Pair& pair : pairs) {
+    ExtensionEnd &p1 = back[pair.i], &p2 = forward[pair.j];
+    if (!search.sighted(p1) || !search.sighted(p2)) continue;
+    if (polygon.grow(edit_for(p1, p2, q), ids) == Verdict::valid) return Extension::extended;
+    if (++attempts == kMaxAttempts) break;
   }
   return Extension::refused;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limpet/geometry/polygon.hpp>
+#include <limpet/geometry/search.hpp>
 
 namespace limpet::geometry {
 
@@ -25,5 +26,9 @@ enum class Extension {
 /// Not invariant under motions: ends of the section are rounded, and of two nearest edges either may be
 /// taken.
 Extension extend_to_point(Polygon&, Point2 q, double gap, EdgeIds&);
+
+/// The same where the perimeter point nearest to q is known, which is nearest_perimeter_point(polygon, q,
+/// gap). Precondition: q lies outside.
+Extension extend_from(const PerimeterPoint& nearest, Polygon&, Point2 q, double gap, EdgeIds&);
 
 }  // namespace limpet::geometry

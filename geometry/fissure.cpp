@@ -40,10 +40,10 @@ std::optional<Filling> three(FissureType type, Point2 a, Point2 b, Point2 c, dou
 
 }  // namespace
 
-std::vector<Point2> Filling::region(const std::array<Point2, 4>& v) const {
+Filling::Region Filling::region(const std::array<Point2, 4>& v) const {
   const bool foot_first = type == FissureType::III || type == FissureType::VI;
   const bool foot_last = type == FissureType::II || type == FissureType::V;
-  std::vector<Point2> points{foot_first ? *foot : v[0]};
+  Region points{foot_first ? *foot : v[0]};
   for (std::size_t i = 1; i < last; ++i) points.push_back(v[i]);
   points.push_back(foot_last ? *foot : v[last]);
   return points;
@@ -158,17 +158,18 @@ class Filler {
 
   /// Is the region simple and on the outside of the perimeter, so that the ends of the new edge sight each
   /// other along the removed edges?
-  static bool lies_outside(const std::vector<Point2>& region) {
-    std::vector<KeyedEdge> edges;
+  static bool lies_outside(const Filling::Region& region) {
+    internal::SmallVector<KeyedEdge, 4> edges;
     for (std::size_t i = 0; i < region.size(); ++i) {
       const std::size_t j = (i + 1) % region.size();
       edges.push_back({region[i], region[j], i, j});
     }
-    return judge_edges(edges) == Verdict::valid && chain_orientation(region) < 0;
+    return judge_edges(internal::as_span(edges)) == Verdict::valid &&
+           chain_orientation(internal::as_span(region)) < 0;
   }
 
-  bool may_add(const std::vector<Point2>& region) const {
-    return lies_outside(region) && (!may_fill_ || may_fill_(region));
+  bool may_add(const Filling::Region& region) const {
+    return lies_outside(region) && (!may_fill_ || may_fill_(internal::as_span(region)));
   }
 
   bool fill(const std::array<Slot, 4>& s, const Filling& filling, const Polygon::Cycle& cycle) {

@@ -4,9 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include <limpet/geometry/types.hpp>
+
+#include "small_vector_internal.hpp"
 
 namespace limpet::geometry::internal {
 
@@ -20,7 +21,8 @@ struct Filling {
   std::optional<Point2> foot;  ///< v5, rounded
 
   /// The region that is filled: along the removed edges, then back along the new edge.
-  std::vector<Point2> region(const std::array<Point2, 4>& v) const;
+  using Region = SmallVector<Point2, 5>;
+  Region region(const std::array<Point2, 4>& v) const;
 };
 
 /// The fissure of this type among v1, v2, v3, v4 (thesis §2.5); types I to III look at v1, v2, v3 alone.

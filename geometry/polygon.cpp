@@ -171,5 +171,9 @@ void Polygon::fill_index() {
 
 std::vector<EdgeId> Polygon::take_removed() { return std::exchange(removed_, {}); }
 std::vector<std::pair<Slot, EdgeId>> Polygon::take_created() { return std::exchange(created_, {}); }
+void Polygon::take_changes(std::vector<EdgeId>& removed, std::vector<std::pair<Slot, EdgeId>>& created) {
+  removed.swap(removed_), created.swap(created_);
+  removed_.clear(), created_.clear();
+}
 
 }  // namespace limpet::geometry

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,10 +19,13 @@ struct NewVertex {
   bool shared = false;  ///< the edge is a shared edge
 };
 
+/// The vertices of a chain between its ends. Most have no more than four, which lie within the chain itself.
+using Via = boost::container::small_vector<NewVertex, 4>;
+
 /// A chain of new edges, from -> via[0] -> ... -> to, between two vertices that stay.
 struct Chain {
   Slot from = kNoSlot;
-  std::vector<NewVertex> via;
+  Via via;
   Slot to = kNoSlot;
   EdgeId edge{};        ///< the identity that the new edge from `from` keeps; none: it gets a new one
   bool shared = false;  ///< that edge is a shared edge
@@ -32,7 +36,7 @@ struct Chain {
 /// are joined or split. Whole cycles may be removed, and new ones (loops) added. judge() judges it; it is
 /// then committed whole or dropped.
 struct Edit {
-  std::vector<Chain> chains;
+  boost::container::small_vector<Chain, 1> chains;
   std::vector<std::vector<NewVertex>> loops;
   std::vector<CycleId> removed_cycles;
 };
@@ -150,6 +154,8 @@ class Polygon {
   /// a given one), since this was last asked.
   std::vector<EdgeId> take_removed();
   std::vector<std::pair<Slot, EdgeId>> take_created();
+  /// Both, into vectors whose memory is used again.
+  void take_changes(std::vector<EdgeId>& removed, std::vector<std::pair<Slot, EdgeId>>& created);
   /// What take_created() would give.
   const std::vector<std::pair<Slot, EdgeId>>& created() const { return created_; }
 

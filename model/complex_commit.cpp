@@ -16,8 +16,7 @@ using geometry::Slot;
 BoundaryDifference Complex::book_difference(Segment& s, bool looked_at) {
   geometry::Polygon& perimeter = s.polygon->perimeter;
   BoundaryDifference difference = std::move(spare_);  // to reuse its memory
-  difference.removed = perimeter.take_removed();
-  difference.put = perimeter.take_created();
+  perimeter.take_changes(difference.removed, difference.put);
   book_put_edges(s, difference);
   if (!looked_at) {
     PlacedEdges& fresh = agenda_.polygon(s.slot).fresh;

@@ -48,7 +48,7 @@ bool extend_perimeter(Complex& complex, const Segment& polygon, const Standing& 
   };
   const auto extension = complex.change_perimeter(
       polygon, false, at_new_edges, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
-        return geometry::extend_to_point(perimeter, st.chart_point, st.gap, ids);
+        return geometry::extend_from(st.nearest, perimeter, st.chart_point, st.gap, ids);
       });
   if (extension == geometry::Extension::refused) return false;
   if (polygon.polygon->felt) complex.felt_at(polygon, polygon.polygon->at(st.chart_point));

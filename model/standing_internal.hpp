@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <limpet/geometry/search.hpp>
+
 #include "segment_internal.hpp"
 #include "setting_internal.hpp"
 
@@ -8,11 +10,12 @@ namespace limpet::model::internal {
 
 /// How data centred at a point relates to a polygon segment.
 struct Standing {
-  bool near = false;              ///< within λ, sensed from the right side, and fitting the plane
-  double distance2 = 0;           ///< squared distance from the polygon, scan's unit
-  bool outside = false;           ///< outside the perimeter, in the chart
-  double perimeter_distance = 0;  ///< in the chart, grid steps; when outside
-  double gap = 0;                 ///< λ there, grid steps
+  bool near = false;                 ///< within λ, sensed from the right side, and fitting the plane
+  double distance2 = 0;              ///< squared distance from the polygon, scan's unit
+  bool outside = false;              ///< outside the perimeter, in the chart
+  double perimeter_distance = 0;     ///< in the chart, grid steps; when outside
+  geometry::PerimeterPoint nearest;  ///< in the chart; when outside and `near`
+  double gap = 0;                    ///< λ there, grid steps
   geometry::Point2 chart_point;
 };
 /// The standing of data centred at p (world), given the sum of its sensing axes, its mean squared residual

@@ -14,10 +14,14 @@ constexpr double kOnePlace = 1e-24;        ///< of the distance from the origin,
 constexpr double kExplained = 1.2;         ///< of the noise: scatter about a quadric that fits
 constexpr double kTurnsAway = 1.25;        ///< of the noise: scatter about a plane that does not
 
-/// Standard deviation of the heights about their best fit by these terms.
-double scatter_about(const Eigen::MatrixXd& terms, const Eigen::VectorXd& heights) {
-  const Eigen::VectorXd fitted = terms * terms.colPivHouseholderQr().solve(heights);
-  return (heights - fitted).norm() / std::sqrt(static_cast<double>(terms.rows() - terms.cols()));
+/// Standard deviation of the heights about their best fit by the first `Count` terms. By normal equations:
+/// patches are as wide as 1, and what is asked is whether two scatters differ by a fifth.
+template <int Count>
+double scatter_about(const Eigen::Matrix<double, Eigen::Dynamic, 6>& terms, const Eigen::VectorXd& heights) {
+  const auto used = terms.leftCols<Count>();
+  const Eigen::Matrix<double, Count, Count> normal = used.transpose() * used;
+  const Eigen::Matrix<double, Count, 1> best = normal.ldlt().solve(used.transpose() * heights);
+  return (heights - used * best).norm() / std::sqrt(static_cast<double>(terms.rows() - Count));
 }
 
 }  // namespace
@@ -29,7 +33,7 @@ std::optional<PatchScatter> patch_scatter(const std::vector<Eigen::Vector3d>& po
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& p : points) mean += p / static_cast<double>(rows);
   const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
-  Eigen::MatrixXd terms(rows, 6);
+  Eigen::Matrix<double, Eigen::Dynamic, 6> terms(rows, 6);
   Eigen::VectorXd heights(rows);
   double width2 = 0;
   for (const auto& p : points) width2 = std::max(width2, (p - mean).squaredNorm());
@@ -40,7 +44,7 @@ std::optional<PatchScatter> patch_scatter(const std::vector<Eigen::Vector3d>& po
     terms.row(i) << 1, x, y, x * x, x * y, y * y;
     heights[i] = d.dot(normal) * std::sqrt(width2);
   }
-  return PatchScatter{scatter_about(terms.leftCols(3), heights), scatter_about(terms, heights)};
+  return PatchScatter{scatter_about<3>(terms, heights), scatter_about<6>(terms, heights)};
 }
 
 double surface_curvature(const std::vector<WidePatch>& wide, std::size_t centres) {

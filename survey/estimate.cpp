@@ -2,6 +2,7 @@
 //
 // The surface's area per point and the noise, from the neighbours of some points of the scan. Both are taken
 // at the smallest scale at which the neighbourhood looks like a surface: below the noise a scan is a cloud.
+#include <limpet/survey/ball_index_internal.hpp>
 #include <limpet/survey/curved_patches.hpp>
 #include <limpet/survey/estimate.hpp>
 #include <limpet/survey/noise_law.hpp>
@@ -25,9 +26,7 @@ namespace {
 namespace bg = boost::geometry;
 namespace bgi = boost::geometry::index;
 using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using Box = bg::model::box<Point>;
 using PointTree = bgi::rtree<std::pair<Point, std::uint32_t>, bgi::rstar<16>>;
-using BoxTree = bgi::rtree<std::pair<Box, std::uint32_t>, bgi::rstar<16>>;
 
 constexpr std::size_t kCentres = 1000;
 constexpr double kSparseShare = 0.05;  ///< of the surface, which is its sparse part
@@ -307,23 +306,18 @@ bool holds_copy(const Neighbourhood& around, const model::SensorPoint& point) {
 /// Fills the neighbourhoods of these centres with the points that lie in them.
 void collect(const std::function<void(const Take&)>& pass, const Sampled& sample,
              const std::vector<std::size_t>& centres, std::vector<Neighbourhood>& around) {
-  std::vector<std::pair<Box, std::uint32_t>> boxes;
-  for (std::size_t i = 0; i < centres.size(); ++i) {
-    const Eigen::Vector3d& at = sample.points[centres[i]].position;
-    const double reach = around[i].radius;
-    boxes.emplace_back(Box(to_point(at.array() - reach), to_point(at.array() + reach)),
-                       static_cast<std::uint32_t>(i));
-  }
-  const BoxTree tree(boxes);
+  BallIndex balls;
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    if (around[i].radius > 0)
+      balls.add(sample.points[centres[i]].position, around[i].radius, static_cast<std::uint32_t>(i));
   pass([&](const model::SensorPoint& point) {
-    const Point at = to_point(point.position);
-    for (auto hit = tree.qbegin(bgi::intersects(at)); hit != tree.qend(); ++hit) {
-      Neighbourhood& one = around[hit->second];
-      const auto& centre = sample.points[centres[hit->second]];
+    balls.for_each_near(point.position, [&](std::uint32_t i) {
+      Neighbourhood& one = around[i];
+      const auto& centre = sample.points[centres[i]];
       if (one.points.size() == kMostInNeighbourhood || (point.position - centre.position).norm() > one.radius)
-        continue;
+        return;
       if (!sample.copies_left_out || !holds_copy(one, point)) one.points.push_back(point);
-    }
+    });
   });
 }
 

@@ -40,8 +40,8 @@ TEST(CurvedPatches, ACapScattersAboutItsPlaneAsItsSagittaSays) {
     Random random(seed);
     const auto pose = any_pose(random);
     const double curvature = random.uniform(0.05, 0.2), noise = 0.1 * curvature;
-    const auto cap = patch([&](double x, double y) { return 0.5 * curvature * (x * x + y * y); }, noise, pose,
-                           random);
+    const auto cap =
+        patch([&](double x, double y) { return 0.5 * curvature * (x * x + y * y); }, noise, pose, random);
     const auto scatter = patch_scatter(cap, pose.linear().col(2));
     ASSERT_TRUE(scatter);
     // Heights are uniform in [0, curvature/2] over the disc.
