@@ -27,7 +27,7 @@ TEST(BallIndex, FindsEveryBallThatAPointLiesIn) {
       index.add(balls.back().first, balls.back().second, i);
     }
     for (int k = 0; k < 500; ++k) {
-      const auto& [centre, radius] = balls[random.bits() % balls.size()];
+      const auto& [centre, radius] = balls[random.below(balls.size())];
       const Eigen::Vector3d p = k % 2 == 0 ? place() : Eigen::Vector3d(centre + radius / 10 * place());
       std::vector<std::uint32_t> found, truth;
       index.for_each_near(p, [&](std::uint32_t ball) { found.push_back(ball); });
