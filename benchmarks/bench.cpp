@@ -5,6 +5,7 @@
 //
 //     limpet_bench throughput --shapes cube,city:100 --points 1000000 [--orders shuffled,raster] [--runs 3]
 //                             [--no-cgal | --contestants limpet,ransac] [--noise 0.002] [--csv FILE]
+//     limpet_bench default [--full]                            `limpet model` as it comes, beside CGAL's
 //     limpet_bench streams --shapes cube --points 10000000     one long stream, looked at on its way
 //     limpet_bench sizes --boxes 1,10,100                      cities, as many points for each face
 //     limpet_bench latency --boxes 200                         how long one set of 26 takes
@@ -41,6 +42,7 @@ Json answer(const Json& request) {
   const std::string what = request.at("what");
   if (what == "cloud") return answer_cloud(request);
   if (what == "limpet") return answer_limpet(request);
+  if (what == "default") return answer_default(request);
   if (what == "region_growing") return answer_region_growing(request);
   if (what == "ransac") return answer_ransac(request);
   if (what == "polyfit") return answer_polyfit(request);
@@ -66,6 +68,7 @@ struct Arguments {
   bool no_cgal = false;
   ThroughputOptions throughput;
   std::vector<std::string> orders{"shuffled", "raster"};
+  DefaultRunOptions default_run;
   SizeOptions sizes;
   LatencyOptions latency;
   ViewOptions view;
@@ -115,6 +118,17 @@ void add_streams(CLI::App& app, Arguments& args) {
       streams.push_back(stream_of(shape, args.points.at(0), args.first_mark));
     show(measure_streams(streams, args.limits), args.csv);
   });
+}
+
+void add_default(CLI::App& app, Arguments& args) {
+  auto* c = app.add_subcommand("default", "limpet model as it comes, beside CGAL's detectors");
+  c->add_flag("--full", args.default_run.full, "10^7 points, 5001 faces");
+  c->add_option("--runs", args.default_run.throughput.runs);
+  c->add_option("--contestants", args.default_run.throughput.contestants)
+      ->delimiter(',')
+      ->check(CLI::IsMember(contestant_names()));
+  c->add_option("--csv", args.csv);
+  c->callback([&args] { show(measure_default_run(args.default_run, args.limits), args.csv); });
 }
 
 void add_sizes(CLI::App& app, Arguments& args) {
@@ -183,7 +197,8 @@ void add_report(CLI::App& app, Arguments& args) {
   c->add_flag("--full", args.report.full, "10^8 points, cities of up to 1000 boxes, more runs; hours");
   c->add_option("--parts", args.report.parts)
       ->delimiter(',')
-      ->check(CLI::IsMember({"latency", "streams", "sizes", "polyhedra", "redundancy", "throughput"}));
+      ->check(
+          CLI::IsMember({"default", "latency", "streams", "sizes", "polyhedra", "redundancy", "throughput"}));
   c->callback([&args] { write_report(args.report, args.limits); });
 }
 
@@ -194,6 +209,7 @@ int run(int argc, char** argv) {
   app.fallthrough();
   app.add_option("--limit", args.limits.peer_seconds, "seconds for one process of a peer");
   app.add_option("--scratch", args.limits.scratch, "folder for clouds, 56 bytes a point");
+  add_default(app, args);
   add_throughput(app, args);
   add_streams(app, args);
   add_sizes(app, args);

@@ -21,12 +21,13 @@ CloudFile::CloudFile(const CloudSpec& spec, const Limits& limits) {
 
 CloudFile::~CloudFile() { ::close(descriptor_); }
 
-MeshFile::MeshFile(const Limits& limits) : path_(limits.scratch + "/limpet_bench_XXXXXX.off") {
-  const int descriptor = ::mkstemps(path_.data(), 4);
+NamedFile::NamedFile(const Limits& limits, const std::string& ending)
+    : path_(limits.scratch + "/limpet_bench_XXXXXX" + ending) {
+  const int descriptor = ::mkstemps(path_.data(), static_cast<int>(ending.size()));
   if (descriptor < 0) throw std::runtime_error("cannot write in " + limits.scratch);
   ::close(descriptor);
 }
 
-MeshFile::~MeshFile() { ::unlink(path_.c_str()); }
+NamedFile::~NamedFile() { ::unlink(path_.c_str()); }
 
 }  // namespace limpet::benchmarks

@@ -27,14 +27,14 @@ class CloudFile {
   Json answer_;
 };
 
-/// A place for a mesh that a process leaves to others. It has a name, since the name's ending tells the
-/// format, for as long as this object lives.
-class MeshFile {
+/// A place for what a process leaves to others: a mesh, a scan. It has a name, since the name's ending
+/// (".off") tells the format, for as long as this object lives.
+class NamedFile {
  public:
-  explicit MeshFile(const Limits&);
-  ~MeshFile();
-  MeshFile(const MeshFile&) = delete;
-  MeshFile& operator=(const MeshFile&) = delete;
+  NamedFile(const Limits&, const std::string& ending);
+  ~NamedFile();
+  NamedFile(const NamedFile&) = delete;
+  NamedFile& operator=(const NamedFile&) = delete;
 
   const std::string& path() const { return path_; }
 

@@ -22,7 +22,7 @@ CloudSpec spec_of(const std::string& shape, std::int64_t points) {
 
 /// The answer and what the truth says of the mesh, if there is one.
 Json ask(const std::string& contestant, const CloudSpec& spec, const CloudFile& cloud, const Limits& limits) {
-  const MeshFile mesh(limits);
+  const NamedFile mesh(limits, ".off");
   Json request{{"what", contestant}, {"spec", spec}, {"cloud", cloud.path()}, {"mesh", mesh.path()}};
   Json answer = ask_process(request, contestant == "limpet" ? limits.own_seconds : limits.peer_seconds);
   if (answer.contains("failed")) {

@@ -37,6 +37,14 @@ void add_throughput(const ReportOptions& options, const Limits& limits, ReportPa
     }
 }
 
+void add_default(const ReportOptions& options, const Limits& limits, ReportPage& report) {
+  report.add(
+      "The default run",
+      "`limpet model SCAN` with nothing given: reading the file, choosing λ, noise and tolerance, putting "
+      "the points in order, updates and finishing; of the others finding planes alone.",
+      measure_default_run({.full = options.full}, limits), "default");
+}
+
 void add_streams(const ReportOptions& options, const Limits& limits, ReportPage& report) {
   const std::int64_t points = options.full ? 100'000'000 : 10'000'000;
   report.add(
@@ -91,13 +99,15 @@ void add_redundancy(const ReportOptions& options, const Limits&, ReportPage& rep
 
 void write_report(const ReportOptions& options, Limits limits) {
   if (options.full) limits.peer_seconds = std::max(limits.peer_seconds, 1800.0);
-  ReportPage report(
-      options.folder, options.commit, "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n",
-      {"throughput", "stages", "streams", "sizes", "sizes_stages", "latency", "polyhedra", "redundancy"});
+  ReportPage report(options.folder, options.commit,
+                    "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n",
+                    {"default", "throughput", "stages", "streams", "sizes", "sizes_stages", "latency",
+                     "polyhedra", "redundancy"});
   using Part = void (*)(const ReportOptions&, const Limits&, ReportPage&);
-  const std::map<std::string, Part> parts{{"latency", add_latency},       {"streams", add_streams},
-                                          {"sizes", add_sizes},           {"polyhedra", add_polyhedra},
-                                          {"redundancy", add_redundancy}, {"throughput", add_throughput}};
+  const std::map<std::string, Part> parts{{"default", add_default},      {"latency", add_latency},
+                                          {"streams", add_streams},      {"sizes", add_sizes},
+                                          {"polyhedra", add_polyhedra},  {"redundancy", add_redundancy},
+                                          {"throughput", add_throughput}};
   for (const std::string& name : options.parts) parts.at(name)(options, limits, report);
 }
 

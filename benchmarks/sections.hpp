@@ -19,8 +19,9 @@ struct Limits {
 
 // ---- Throughput (throughput.cpp) ---------------------------------------------------------------
 
-/// Names: limpet, region_growing, ransac; the two latter also with _estimated, region_growing also with
-/// _sphere and _sphere_estimated.
+/// Names: limpet (in live sets, told λ and σ), limpet_default (as `limpet model SCAN`),
+/// limpet_default_arrival; region_growing, ransac, also with _estimated, region_growing also with _sphere and
+/// _sphere_estimated; polyfit.
 const std::vector<std::string>& contestant_names();
 
 struct ThroughputOptions {
@@ -35,6 +36,18 @@ struct ThroughputTables {
 };
 /// All contestants on one cloud.
 void measure_throughput(const CloudSpec&, const ThroughputOptions&, const Limits&, ThroughputTables&);
+
+// ---- What a newcomer's first run takes (default_run.cpp) ------------------------------------------
+
+struct DefaultRunOptions {
+  bool full = false;  ///< with 10⁷ points and 5,001 faces
+  ThroughputOptions throughput{.contestants = {"limpet_default", "limpet_default_arrival", "region_growing",
+                                               "region_growing_estimated", "ransac", "polyfit"},
+                               .runs = 2,
+                               .stages = false};
+};
+/// `limpet model SCAN` with nothing given, beside CGAL's detectors. PolyFit where there are few faces.
+Table measure_default_run(const DefaultRunOptions&, const Limits&);
 
 // ---- Cities of n boxes, as many points for each face (sizes.cpp) ---------------------------------
 

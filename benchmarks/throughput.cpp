@@ -1,4 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
@@ -12,14 +13,19 @@ namespace {
 const std::map<std::string, Json>& requests() {
   static const std::map<std::string, Json> all{
       {"limpet", {{"what", "limpet"}}},
+      {"limpet_default", {{"what", "default"}}},
+      {"limpet_default_arrival", {{"what", "default"}, {"arrival", true}}},
       {"region_growing", {{"what", "region_growing"}}},
       {"region_growing_estimated", {{"what", "region_growing"}, {"estimate", true}}},
       {"region_growing_sphere", {{"what", "region_growing"}, {"sphere", true}}},
       {"region_growing_sphere_estimated", {{"what", "region_growing"}, {"sphere", true}, {"estimate", true}}},
       {"ransac", {{"what", "ransac"}}},
-      {"ransac_estimated", {{"what", "ransac"}, {"estimate", true}}}};
+      {"ransac_estimated", {{"what", "ransac"}, {"estimate", true}}},
+      {"polyfit", {{"what", "polyfit"}}}};
   return all;
 }
+
+bool is_own(const std::string& what) { return what == "limpet" || what == "default"; }
 
 /// The faster of two answers, with what only one of them holds; a failure gives way to anything else.
 void keep_best(Json& best, Json answer) {
@@ -37,7 +43,12 @@ void keep_best(Json& best, Json answer) {
 
 void add_contestant(const CloudSpec& spec, const Json& cloud, const std::string& name, const Json& a,
                     double limpet_ns, double floor_ns, Table& table) {
-  std::vector<Json> row{spec.shape, cloud["faces"], spec.order, cloud["points"], cloud["resolution"], name};
+  std::vector<Json> row{spec.shape,
+                        cloud["faces"],
+                        spec.order,
+                        cloud["points"],
+                        a.value("resolution", cloud["resolution"].get<double>()),
+                        name};
   if (a.contains("failed")) {
     row.resize(15);
     row[14] = a["failed"];
@@ -49,8 +60,9 @@ void add_contestant(const CloudSpec& spec, const Json& cloud, const std::string&
   row.insert(row.end(), {ns, points / seconds});
   row.push_back(floor_ns > 0 ? Json(ns / floor_ns) : Json());
   row.push_back(limpet_ns > 0 ? Json(ns / limpet_ns) : Json());
-  row.insert(row.end(), {a["megabytes"], a["planes"], counted > 0 ? Json(100 * right / counted) : Json(),
-                         100 * a["in_planes"].get<double>() / points, Json()});
+  row.insert(row.end(),
+             {a["megabytes"], a["planes"], counted > 0 ? Json(100 * right / counted) : Json(),
+              a.contains("in_planes") ? Json(100 * a["in_planes"].get<double>() / points) : Json(), Json()});
   table.add(row);
 }
 
@@ -116,15 +128,19 @@ void measure_throughput(const CloudSpec& spec, const ThroughputOptions& options,
                         ThroughputTables& tables) {
   std::fprintf(stderr, "%s, %ld points, %s: cloud", spec.shape.c_str(), spec.points, spec.order.c_str());
   const CloudFile cloud(spec, limits);
+  const NamedFile mesh(limits, ".off"), scan(limits, ".ply");
   std::map<std::string, Json> best;
   Json staged;
   const auto ask = [&](Json request) {
+    const std::string what = request["what"];
     request["spec"] = spec, request["cloud"] = cloud.path();
-    return ask_process(request, request["what"] == "limpet" ? limits.own_seconds : limits.peer_seconds);
+    if (what == "polyfit") request["mesh"] = mesh.path();
+    if (what == "default") request["scan"] = scan.path();
+    return ask_process(request, is_own(what) ? limits.own_seconds : limits.peer_seconds);
   };
   for (int run = 0; run < std::max(options.runs, options.peer_runs); ++run) {
     for (const auto& name : options.contestants) {
-      const bool is_limpet = name == "limpet";
+      const bool is_limpet = is_own(requests().at(name)["what"]);
       if (run >= (is_limpet ? options.runs : options.peer_runs)) continue;
       if (best[name].contains("failed")) continue;  // it would be too slow once more
       std::fprintf(stderr, ", %s", name.c_str());
@@ -140,8 +156,10 @@ void measure_throughput(const CloudSpec& spec, const ThroughputOptions& options,
   std::fprintf(stderr, "\n");
 
   double limpet_ns = 0, floor_ns = 0;
-  if (best.contains("limpet") && !best["limpet"].contains("failed")) {
-    const Json& a = best["limpet"];
+  const auto own = std::find_if(options.contestants.begin(), options.contestants.end(),
+                                [](const std::string& name) { return is_own(requests().at(name)["what"]); });
+  if (own != options.contestants.end() && !best[*own].contains("failed")) {
+    const Json& a = best[*own];
     limpet_ns = 1e9 * a["seconds"].get<double>() / a["points"].get<double>();
     floor_ns = 1e9 * a["floor_seconds"].get<double>() / a["points"].get<double>();
   }

@@ -11,8 +11,8 @@
 
 namespace limpet::survey {
 
-/// Balls of any sizes, to ask in which of them a point lies: for each power of two a grid of cells that are as
-/// wide as its largest balls or more, so that a ball is in eight of them at most.
+/// Balls of any sizes, to ask in which of them a point lies: for each power of two a grid of cells that are
+/// as wide as its largest balls or more, so that a ball is in eight of them at most.
 class BallIndex {
  public:
   /// Precondition: the radius is positive and finite.
@@ -41,8 +41,8 @@ class BallIndex {
   struct Hash {
     std::size_t operator()(const Cell& c) const {
       const auto part = [&](std::size_t i) { return static_cast<std::uint64_t>(c[i]); };
-      std::uint64_t h = part(0) * 0x9E3779B97F4A7C15u + part(1) * 0xC2B2AE3D27D4EB4Fu +
-                        part(2) * 0x165667B19E3779F9u;
+      std::uint64_t h =
+          part(0) * 0x9E3779B97F4A7C15u + part(1) * 0xC2B2AE3D27D4EB4Fu + part(2) * 0x165667B19E3779F9u;
       return static_cast<std::size_t>(h ^ h >> 32);
     }
   };
