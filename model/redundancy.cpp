@@ -47,19 +47,29 @@ bool is_narrow(const Setting& setting, const PolygonPart& part) {
   return length > kLeastSliver && area < kLeftOverWidth * length;
 }
 
+/// Was the polygon felt so much less densely than another that it got only what that left over?
+bool is_felt_thinly(const Setting& setting, const Segment& s, const Segment& other) {
+  const double own = size_of(setting, *s.polygon).first, theirs = size_of(setting, *other.polygon).first;
+  return static_cast<double>(s.count()) * theirs < kLeftOverPart * static_cast<double>(other.count()) * own;
+}
+
 /// Did the narrow polygon get only the readings that another left over along its edge? Then it lies within
-/// the tolerance of that, and was felt so much less densely.
+/// the tolerance of that.
 bool is_left_over(const Setting& setting, const Segment& s, const std::vector<const Segment*>& others) {
   const double tolerance2 = setting.parameters.tolerance * setting.parameters.tolerance;
-  const double own = size_of(setting, *s.polygon).first;
-  const auto leaves_over = [&](const Segment* other) {
-    const double theirs = size_of(setting, *other->polygon).first;
-    return static_cast<double>(s.count()) * theirs <
-               kLeftOverPart * static_cast<double>(other->count()) * own &&
-           other->polygon->outward.dot(s.polygon->outward) > kSameWay &&
+  return std::any_of(others.begin(), others.end(), [&](const Segment* other) {
+    return is_felt_thinly(setting, s, *other) && other->polygon->outward.dot(s.polygon->outward) > kSameWay &&
            s.data.moments().squared_residual(other->fit.plane(), setting.step) <= tolerance2;
-  };
-  return std::any_of(others.begin(), others.end(), leaves_over);
+  });
+}
+
+/// Does the polygon lie across the edge of others, all of which were felt more densely? A true chamfer of
+/// this width is felt about as densely as the faces beside it.
+bool lies_across(const Setting& setting, const Segment& s, const std::vector<const Segment*>& under) {
+  const auto [area, length] = size_of(setting, *s.polygon);
+  return under.size() >= 2 && length > kLeastSliver && area < kAcrossWidth * length &&
+         std::all_of(under.begin(), under.end(),
+                     [&](const Segment* other) { return is_felt_thinly(setting, s, *other); });
 }
 
 /// Is a segment redundant by position: is it a patch, a sliver or what was left over, and do all its vertices
@@ -75,14 +85,19 @@ bool lies_on_others(const Complex& complex, const Segment& s) {
   for (const std::uint32_t slot : found)
     if (const Segment& other = complex.at(slot); other.count() > kLargerPart * s.count())
       others.push_back(&other);
-  if (!patch_or_sliver && !is_left_over(setting, s, others)) return false;
+  std::vector<const Segment*> under;  // those of them that a vertex lies on
   bool all = !others.empty();
   for_each_edge(part.perimeter, [&](Slot vertex) {
-    all = all && std::any_of(others.begin(), others.end(), [&](const Segment* other) {
-            return lies_on(setting, *other, part.position(vertex), part.outward);
-          });
+    if (!all) return;
+    bool any = false;
+    for (const Segment* other : others) {
+      if (!lies_on(setting, *other, part.position(vertex), part.outward)) continue;
+      any = true;
+      if (std::find(under.begin(), under.end(), other) == under.end()) under.push_back(other);
+    }
+    all = any;
   });
-  return all;
+  return all && (patch_or_sliver || is_left_over(setting, s, others) || lies_across(setting, s, under));
 }
 
 bool may_be_redundant_by_position(const Segment& s) { return s.polygon && s.count() > 0; }

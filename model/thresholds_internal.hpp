@@ -96,6 +96,9 @@ inline constexpr double kLeastSliver = 4, kSliverWidth = 0.9;
 /// part of that one's density below which it did. Along edges of 18° to 26° in CAD parts at 36 points per λ²
 /// such slivers are 1.5 to 3.1 λ wide and were felt 0.4 to 0.5 times as densely.
 inline constexpr double kLeftOverWidth = 4, kLeftOverPart = 0.6;
+/// In λ: the greatest mean width of what lies across an edge of faces that were all felt more densely. Two in
+/// sixty CAD parts at 36 points per λ² are 1.2 and 1.5 λ wide and were felt 0.4 and 0.5 times as densely.
+inline constexpr double kAcrossWidth = 2;
 
 // Pinches (rule `pinches`).
 

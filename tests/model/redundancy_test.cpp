@@ -74,5 +74,31 @@ TEST(Redundancy, TheBackOfAThinPlateStays) {
   EXPECT_EQ(down, 1);
 }
 
+/// A floor and a wall, 36 readings to λ², and a strip 1.8 λ wide across their edge.
+Points floor_wall_and_strip(std::uint64_t seed, int strip_readings) {
+  Random random(seed);
+  const double from = 0.13;
+  Points points = plate(random, 3600, from, 0, from + 1, 1, 0.001);
+  for (auto& p : plate(random, 3600, from, 0, from + 1, 1, 0.001))
+    points.push_back({{p.position.z(), p.position.y(), p.position.x()}, Vector3d(-1, 0, 0)});
+  for (auto& p : plate(random, strip_readings, 0, 0, from, 1, 0.001))
+    points.push_back(
+        {{p.position.x() + p.position.z(), p.position.y(), from - p.position.x() + p.position.z()},
+         Vector3d(-1, 0, -1).normalized()});
+  shuffle(points, random);
+  return points;
+}
+
+/// What lies across an edge goes where it was felt much less densely than the faces there; a chamfer stays.
+TEST(Redundancy, WhatLiesAcrossAnEdgeGoesUnlessItWasFeltAsDensely) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Points thin = floor_wall_and_strip(seed, 250), dense = floor_wall_and_strip(seed, 650);
+    EXPECT_EQ(model_of(thin, "-position").record().polygon_segments.size(), 3u);
+    EXPECT_EQ(model_of(thin, "limpet").record().polygon_segments.size(), 2u);
+    EXPECT_EQ(model_of(dense, "limpet").record().polygon_segments.size(), 3u);
+  }
+}
+
 }  // namespace
 }  // namespace limpet::model
