@@ -84,7 +84,7 @@ Edit split(const Polygon& a, const SectionEnd& p1, const SectionEnd& p2) {
 
 /// Vertices of either polygon within gap of the other's perimeter, with their nearest points there, nearest
 /// first. Without crossings the nearest pair of all has a vertex on one side.
-std::vector<Contact> contacts(const Polygon& a, const Polygon& b, double gap) {
+std::vector<Contact> contacts(const Polygon& a, const Polygon& b, const Gap& gap) {
   std::vector<Contact> result;
   const auto at_start = [](const Polygon& p,
                            PerimeterPoint q) {  // the end of an edge is the start of the next
@@ -94,13 +94,13 @@ std::vector<Contact> contacts(const Polygon& a, const Polygon& b, double gap) {
   for (std::uint32_t i = 0; i < b.slot_count(); ++i) {
     const Slot s{i};
     if (!b.alive(s)) continue;
-    if (const auto x = nearest_perimeter_point(a, b.at(s), gap))
+    if (const auto x = nearest_perimeter_point(a, b.at(s), gap.at(b.at(s))))
       result.push_back({at_start(a, *x), {s, 0, b.at(s), x->squared_distance}});
   }
-  const Box2 around = b.box().grown(gap);
+  const Box2 around = b.box().grown(gap.most());
   a.any_edge_near(around, [&](Slot s) {
     if (!around.contains(a.at(s))) return false;
-    if (const auto y = nearest_perimeter_point(b, a.at(s), gap))
+    if (const auto y = nearest_perimeter_point(b, a.at(s), gap.at(a.at(s))))
       result.push_back({{s, 0, a.at(s), y->squared_distance}, at_start(b, *y)});
     return false;
   });
@@ -147,16 +147,17 @@ internal::SmallVector<Slot, 32> edges_along(const Polygon& polygon, Slot v, doub
 
 }  // namespace
 
-bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
+bool bridge_polygons(Polygon& a, const Polygon& b, const Gap& gap, EdgeIds& ids) {
   const auto attempt = [&](const Edit& edit) { return a.grow(edit, ids, b.area()) == Verdict::valid; };
   const auto around = contacts(a, b, gap);
   for (std::size_t k = 0; k < std::min(around.size(), kMaxContacts); ++k) {
     const Contact& contact = around[k];
-    if (SectionSearch(a, b, contact, gap).search([&](const SectionEnd& p1, const SectionEnd& p2) {
+    const double here = gap.at(contact.x.at);
+    if (SectionSearch(a, b, contact, here).search([&](const SectionEnd& p1, const SectionEnd& p2) {
           return attempt(join_p_on_a(b, p1, p2));
         }))
       return true;
-    if (SectionSearch(b, a, {contact.y, contact.x}, gap)
+    if (SectionSearch(b, a, {contact.y, contact.x}, here)
             .search([&](const SectionEnd& p1, const SectionEnd& p2) {
               return attempt(join_p_on_b(a, b, p1, p2));
             }))

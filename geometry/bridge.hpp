@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <limpet/geometry/gap.hpp>
 #include <limpet/geometry/polygon.hpp>
 
 namespace limpet::geometry {
@@ -21,7 +22,7 @@ namespace limpet::geometry {
 ///  (1) When true, `a` is valid; when false, it is as it was;
 ///  (2) area of either is lost only to the rounding of new vertices, at most two steps along the perimeters;
 ///  (3) what is added lies within `gap` of one of them, up to rounding.
-bool bridge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds&);
+bool bridge_polygons(Polygon& a, const Polygon& b, const Gap& gap, EdgeIds&);
 
 /// Connects a section of a perimeter at `vertex` with another section of the same perimeter that is within
 /// `gap` and in sight across the outside. That splits the cycle in two, one of which becomes a hole. Sections

@@ -2,23 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <limpet/geometry/gap.hpp>
 #include <limpet/geometry/polygon.hpp>
 #include <span>
 #include <utility>
 
 namespace limpet::geometry {
-
-/// λ in grid steps: the same everywhere, or one that differs from place to place (chart).
-class Gap {
- public:
-  Gap(double everywhere) : everywhere_(everywhere) {}
-  explicit Gap(std::function<double(Point2)> at) : at_(std::move(at)) {}
-  double at(Point2 p) const { return at_ ? at_(p) : everywhere_; }
-
- private:
-  double everywhere_ = 0;
-  std::function<double(Point2)> at_;
-};
 
 /// May the region between a narrow inlet's sides, clockwise, be added?
 using MayFill = std::function<bool(std::span<const Point2> region)>;

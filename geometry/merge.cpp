@@ -26,12 +26,12 @@ bool any_vertex_inside(const Polygon& vertices_of, const Polygon& polygon) {
   return false;
 }
 
-bool within_gap(const Polygon& a, const Polygon& b, double gap) {
+bool within_gap(const Polygon& a, const Polygon& b, const Gap& gap) {
   for (std::uint32_t i = 0; i < b.slot_count(); ++i)
-    if (b.alive(Slot{i}) && nearest_perimeter_point(a, b.at(Slot{i}), gap)) return true;
-  const Box2 around = b.box().grown(gap);
+    if (b.alive(Slot{i}) && nearest_perimeter_point(a, b.at(Slot{i}), gap.at(b.at(Slot{i})))) return true;
+  const Box2 around = b.box().grown(gap.most());
   return a.any_edge_near(around, [&](Slot s) {
-    return around.contains(a.at(s)) && nearest_perimeter_point(b, a.at(s), gap).has_value();
+    return around.contains(a.at(s)) && nearest_perimeter_point(b, a.at(s), gap.at(a.at(s))).has_value();
   });
 }
 
@@ -76,8 +76,8 @@ bool take_away(Polygon& a, const std::vector<std::pair<Slot, EdgeId>>& tips, Edg
   return any;
 }
 
-Merger merge_as_they_are(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
-  if (!a.box().grown(gap).meets(b.box())) return Merger::too_far;
+Merger merge_as_they_are(Polygon& a, const Polygon& b, const Gap& gap, EdgeIds& ids) {
+  if (!a.box().grown(gap.most()).meets(b.box())) return Merger::too_far;
   if (no_edge_in(a, b.box())) {
     if (a.locate(b.at(b.outer().first)) == Polygon::Side::inside) return Merger::contained;
   } else if (perimeters_meet(a, b) || any_vertex_inside(b, a) || any_vertex_inside(a, b)) {
@@ -89,7 +89,7 @@ Merger merge_as_they_are(Polygon& a, const Polygon& b, double gap, EdgeIds& ids)
 
 }  // namespace
 
-Merger merge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds& ids) {
+Merger merge_polygons(Polygon& a, const Polygon& b, const Gap& gap, EdgeIds& ids) {
   const Merger merger = merge_as_they_are(a, b, gap, ids);
   if (merger != Merger::refused) return merger;
   const auto tips = needles(a, b);

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <limpet/geometry/gap.hpp>
 #include <limpet/geometry/polygon.hpp>
 
 namespace limpet::geometry {
@@ -22,6 +23,6 @@ enum class Merger {
 ///  (3) whether the result is `too_far` does not depend on which polygon is a; whether a candidate is found
 ///      may;
 ///  (4) what is added lies within `gap` of one of the two, up to rounding and moves.
-Merger merge_polygons(Polygon& a, const Polygon& b, double gap, EdgeIds&);
+Merger merge_polygons(Polygon& a, const Polygon& b, const Gap& gap, EdgeIds&);
 
 }  // namespace limpet::geometry

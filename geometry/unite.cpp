@@ -142,7 +142,7 @@ class Widening {
 /// them on an outline becomes a chain, and an outline without any such edge becomes a loop.
 class Candidate {
  public:
-  Candidate(const Polygon& a, const Polygon& b, double gap, bool moved)
+  Candidate(const Polygon& a, const Polygon& b, const Gap& gap, bool moved)
       : a_(a), b_(b), gap_(gap), moved_(moved) {}
 
   void add(const Outline& outline) {
@@ -217,7 +217,7 @@ class Candidate {
     drop_near(loop);
     std::vector<Point2> points;
     for (const NewVertex& v : loop) points.push_back(v.at);
-    return collapses(points, gap_);
+    return collapses(points, gap_.at(points.front()));
   }
 
   void add_loop(const std::vector<OutlinePiece>& pieces) {
@@ -261,7 +261,7 @@ class Candidate {
   }
 
   const Polygon &a_, &b_;
-  double gap_;
+  const Gap& gap_;
   bool moved_;
   Edit edit_;
   std::vector<Slot> kept_edges_;
@@ -280,10 +280,10 @@ std::vector<SourceEdge> window_edges_of(const Polygon& a, const Box2& window) {
 
 }  // namespace
 
-bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds& ids, std::size_t* attempts) {
+bool unite(Polygon& a, const Polygon& b, const Gap& gap, EdgeIds& ids, std::size_t* attempts) {
   for (std::size_t attempt = 0; attempt < kMoves.size(); ++attempt) {
     if (attempts) *attempts = attempt + 1;
-    const auto edges_b = edges_of(b, attempt, gap);
+    const auto edges_b = edges_of(b, attempt, gap.at(b.at(b.outer().first)));
     if (edges_b.empty()) continue;
     Box2 box;
     for (const SourceEdge& e : edges_b) box.add(e.a);

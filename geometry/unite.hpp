@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <limpet/geometry/gap.hpp>
 #include <limpet/geometry/polygon.hpp>
 
 namespace limpet::geometry {
@@ -26,6 +27,6 @@ namespace limpet::geometry {
 ///      without the other, because only b's vertices are moved, by amounts that depend on b's identities;
 ///  (6) what is in the union but in neither polygon (holes that collapsed) is within `gap` of one of them, up
 ///      to the same distance.
-bool unite(Polygon& a, const Polygon& b, double gap, EdgeIds&, std::size_t* attempts = nullptr);
+bool unite(Polygon& a, const Polygon& b, const Gap& gap, EdgeIds&, std::size_t* attempts = nullptr);
 
 }  // namespace limpet::geometry

@@ -29,7 +29,8 @@ bool fill(Complex& complex, Agenda& agenda, const Segment& s) {
   const PolygonPart& part = *s.polygon;
   const geometry::Gap gap =
       setting.resolution_grows()
-          ? geometry::Gap([&](geometry::Point2 p) { return setting.scale_at(part.at(p)).gap; })
+          ? geometry::Gap([&](geometry::Point2 p) { return setting.scale_at(part.at(p)).gap; },
+                          setting.largest_scale(part.box).gap)
           : setting.least.gap;
   const auto filled = complex.change_perimeter(
       s, true, at_fresh_edges, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {

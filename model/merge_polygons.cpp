@@ -20,9 +20,18 @@
 namespace limpet::model::internal {
 namespace {
 
-/// λ where two polygons meet, if they do.
-Scale scale_between(const Setting& setting, const Box3& a, const Box3& b) {
-  return setting.scale_at((a.min().cwiseMax(b.min()) + a.max().cwiseMin(b.max())) / 2);
+/// The largest λ where two polygons meet, if they do: between their boxes, and as far beside as that reaches.
+Scale largest_between(const Setting& setting, const Box3& a, const Box3& b) {
+  const Eigen::Vector3d low = a.min().cwiseMax(b.min()), high = a.max().cwiseMin(b.max());
+  const Eigen::Vector3d centre = (low + high) / 2;
+  const double half = (high - low).norm() / 2;
+  return setting.largest_scale(centre, half + setting.largest_scale(centre, half).lambda);
+}
+
+/// λ in a polygon's chart.
+geometry::Gap gap_in(const Setting& setting, const PolygonPart& part, const Scale& largest) {
+  if (!setting.resolution_grows()) return largest.gap;
+  return {[&](geometry::Point2 p) { return setting.scale_at(part.at(p)).gap; }, largest.gap};
 }
 
 bool within(const Box3& a, const Box3& b, double reach) {
@@ -87,7 +96,7 @@ DirtyRegion changed_region(const Segment& a, const Segment& b, const PlacedEdges
 }
 
 /// Without the rule `holes`, as in the thesis, a merger that leaves a hole fails.
-geometry::Merger merge_perimeters(const Setting& setting, double gap, geometry::Polygon& a,
+geometry::Merger merge_perimeters(const Setting& setting, const geometry::Gap& gap, geometry::Polygon& a,
                                   const geometry::Polygon& b, geometry::EdgeIds& ids) {
   if (setting.rules().holes) return geometry::merge_polygons(a, b, gap, ids);
   geometry::Polygon trial = a;
@@ -132,7 +141,7 @@ bool merge_polygon_segments(Complex& complex, Agenda& agenda, const Segment& s1,
   const bool first_larger = s1.polygon->perimeter.edge_count() >= s2.polygon->perimeter.edge_count();
   const Segment &a = first_larger ? s1 : s2, &b = first_larger ? s2 : s1;
   if (a.initial() || b.initial()) return false;
-  const Scale scale = scale_between(setting, a.polygon->box, b.polygon->box);
+  const Scale scale = largest_between(setting, a.polygon->box, b.polygon->box);
   if (!within(a.polygon->box, b.polygon->box, scale.lambda) || !planes_agree(setting, a, b) ||
       agenda.remembered_as_refused(pair_of(a, b), shapes_of(a, b)) ||
       !may_meet_where_changed(setting, s1, agenda.polygon(s1.slot).changed, s2) ||
@@ -145,13 +154,14 @@ bool merge_polygon_segments(Complex& complex, Agenda& agenda, const Segment& s1,
   other->take_created();
   const std::uint64_t joins_before = part.perimeter.joins();
 
+  const geometry::Gap gap = gap_in(setting, part, scale);
   auto merger = geometry::Merger::refused;
   DirtyRegion where;
   std::vector<geometry::EdgeId> inherited;
   complex.with_ends_apart([&] {
     auto [outcome, difference] =
         complex.start_change(a, false, [&](geometry::Polygon& perimeter, geometry::EdgeIds& ids) {
-          return merge_perimeters(setting, scale.gap, perimeter, *other, ids);
+          return merge_perimeters(setting, gap, perimeter, *other, ids);
         });
     merger = outcome;
     if (merger == geometry::Merger::too_far || merger == geometry::Merger::refused) return;
