@@ -119,8 +119,29 @@ Refusal fit_corner(const Complex& complex, const Ring& ring, RingPart& part, con
   return keeps(d1, part.corner - u) && keeps(d2, w - part.corner) ? Refusal::none : Refusal::corner_turns;
 }
 
+/// The corner a few steps back between its two edges: where a perimeter would touch itself in a vertex, as
+/// that of a hole and the outer one do at some vertices of solids, the vertex is doubled.
+Point2 stepped_back(const RingPart& part) {
+  const geometry::Polygon& perimeter = part.segment->polygon->perimeter;
+  const auto unit = [](Point2 d) { return 1 / std::sqrt(squared_length(d)) * d; };
+  const Point2 back = unit(perimeter.at(part.before) - perimeter.end(part.before)) +
+                      unit(perimeter.end(part.after) - perimeter.at(part.after));
+  const double length = std::sqrt(squared_length(back));
+  return length > 0 ? geometry::round_to_grid(part.corner + kDoubledSteps / length * back) : part.corner;
+}
+
+/// Is the corner, stepped back, still on the lines of its edges, to the rounding?
+bool is_on_lines(const Complex& complex, const RingPart& part) {
+  const Eigen::Vector3d at = part.segment->polygon->at(part.corner);
+  const double off = kDoubledOff * complex.setting().step;
+  return std::abs(plane_across(complex, node_of(part, part.before).edge).height_of(at)) < off &&
+         std::abs(plane_across(complex, node_of(part, part.after).edge).height_of(at)) < off;
+}
+
 bool formed_already(const RingPart& part) {
-  return part.between.size() == 1 && part.segment->polygon->perimeter.at(part.between.front()) == part.corner;
+  if (part.between.size() != 1) return false;
+  const Point2 at = part.segment->polygon->perimeter.at(part.between.front());
+  return at == part.corner || at == stepped_back(part);
 }
 
 geometry::Edit edit_for(const RingPart& part) {
@@ -185,9 +206,13 @@ CornerEdits edits_for(const Complex& complex, Ring& ring, const SharingReach& re
   }
   if (corner.formed_already) return corner;
   if (!copies_overlap(complex, ring.parts)) return {Refusal::corner_turns, false, {}};
-  for (const RingPart& part : ring.parts) {
+  for (RingPart& part : ring.parts) {
+    const geometry::Polygon& perimeter = part.segment->polygon->perimeter;
     corner.edits.push_back(edit_for(part));
-    if (part.segment->polygon->perimeter.judge(corner.edits.back()) != geometry::Verdict::valid)
+    if (perimeter.judge(corner.edits.back()) == geometry::Verdict::valid) continue;
+    part.corner = stepped_back(part);
+    corner.edits.back() = edit_for(part);
+    if (!is_on_lines(complex, part) || perimeter.judge(corner.edits.back()) != geometry::Verdict::valid)
       return {Refusal::perimeter, false, {}};
   }
   return corner;

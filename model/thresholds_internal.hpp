@@ -69,8 +69,11 @@ inline constexpr double kLeastSine = 0.02;
 inline constexpr double kRunsOnSine = 0.199, kRunsOnReach = 0.24;
 /// Part of the largest of the sums of squares of planes below which they do not determine a point.
 inline constexpr double kDetermined = 0.01;
+/// In grid steps: how far a corner steps back between its edges where it would touch another vertex, and how
+/// far it may then be from the planes of its neighbours.
+inline constexpr double kDoubledSteps = 1.25, kDoubledOff = 1.9;
 /// In λ: a shared edge up to this long gives way when a corner at one of its ends would turn it round.
-inline constexpr double kShortCorner = 0.125;
+inline constexpr double kShortCorner = 0.5;
 /// In grid steps: a cut of the perimeter within this distance of a vertex is made at the vertex itself.
 inline constexpr double kSameSteps = 3;
 /// In λ: how far sections may be from their line while readings come, and at the end of input (rule `voids`);
