@@ -186,7 +186,7 @@ TEST(Fill, OnlyWhereTheGapIsWiderThanTheInlet) {
                                {180, 1000}});
   EdgeIds ids;
   Polygon p = make(cycles, ids);
-  const Gap gap([](Point2 at) { return at.x / 10; });
+  const Gap gap([](Point2 at) { return at.x / 10; }, 100);
   EXPECT_GT(fill_fissures(p, all_edges(p), gap, ids), 0u);
   EXPECT_EQ(judge_polygon(p), Verdict::valid);
   EXPECT_EQ(p.locate({200, 900}), Polygon::Side::outside);

@@ -28,6 +28,10 @@ simulation::Mesh cells(const std::vector<Vector3d>& lowest, const Vector3d& shea
 }
 const std::vector<Vector3d> kSaddle{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {1, 0, 0}};
 const std::vector<Vector3d> kTripod{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+/// A plate with a block on its middle and a notch in a corner: the plate's top touches itself in a vertex,
+/// where its hole meets its outer boundary.
+const std::vector<Vector3d> kTouching{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                                      {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {1, 1, 1}};
 const std::vector<Vector3d> kShears{{0, 0, 0}, {0.3, -0.2, 0.25}};
 
 struct Corner {
@@ -58,6 +62,22 @@ TEST_P(CornerOfManyFaces, IsFormed) {
 INSTANTIATE_TEST_SUITE_P(Corners, CornerOfManyFaces,
                          ::testing::Values(Corner{"Saddle", &kSaddle, 10}, Corner{"Tripod", &kTripod, 12}),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+/// Six of these eight are closed; none was before vertices were doubled.
+TEST(Corners, WhereAFaceTouchesItselfTheVertexIsDoubled) {
+  int closed = 0;
+  for (const double noise : {0.0, 0.002})
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+      SCOPED_TRACE("noise " + std::to_string(noise) + ", seed " + std::to_string(seed));
+      const JudgedScan scan = sampled_scan(cells(kTouching, kShears[0]), 0.1, noise, seed);
+      ASSERT_EQ(simulation::faces_of(scan.truth).size(), 13u);
+      const ModelRecord record = modelled(scan.parameters, scan.points).record();
+      EXPECT_EQ(broken_laws(record), "");
+      EXPECT_EQ(record.polygon_segments.size(), 13u);
+      closed += scan.topology(record).closed;
+    }
+  EXPECT_GE(closed, 5);
+}
 
 /// Twelve cells (found among 150 seeds). Of some a short edge far from its line drew out a tongue into the
 /// solid, of some two opposite faces of a saddle shared an edge shorter than its corners.
