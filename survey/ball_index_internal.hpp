@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -17,7 +18,7 @@ class BallIndex {
  public:
   /// Precondition: the radius is positive and finite.
   void add(const Eigen::Vector3d& centre, double radius, std::uint32_t ball) {
-    const int level = std::ilogb(radius) + 2;
+    const int level = std::max(std::ilogb(radius) + 2, kLeastLevel);
     Grid& grid = grids_[level];
     grid.per_edge = std::ldexp(1.0, -level);
     const Cell low = cell(grid, centre.array() - radius), high = cell(grid, centre.array() + radius);
@@ -37,6 +38,8 @@ class BallIndex {
   }
 
  private:
+  static constexpr int kLeastLevel = -1000;    ///< so that 2 to its opposite is a number
+  static constexpr double kFarthest = 0x1p60;  ///< cells from the origin; what is beyond shares the last ones
   using Cell = std::array<std::int64_t, 3>;
   struct Hash {
     std::size_t operator()(const Cell& c) const {
@@ -54,7 +57,8 @@ class BallIndex {
   static Cell cell(const Grid& grid, const Eigen::Vector3d& p) {
     Cell result;
     for (int i = 0; i < 3; ++i)
-      result[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(std::floor(p[i] * grid.per_edge));
+      result[static_cast<std::size_t>(i)] =
+          static_cast<std::int64_t>(std::clamp(std::floor(p[i] * grid.per_edge), -kFarthest, kFarthest));
     return result;
   }
 

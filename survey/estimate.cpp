@@ -2,9 +2,9 @@
 //
 // The surface's area per point and the noise, from the neighbours of some points of the scan. Both are taken
 // at the smallest scale at which the neighbourhood looks like a surface: below the noise a scan is a cloud.
-#include <limpet/survey/ball_index_internal.hpp>
 #include <limpet/survey/curved_patches.hpp>
 #include <limpet/survey/estimate.hpp>
+#include <limpet/survey/neighbourhoods_internal.hpp>
 #include <limpet/survey/noise_law.hpp>
 #include <limpet/survey/rounded_depths.hpp>
 #include <limpet/survey/sensor_places.hpp>
@@ -12,10 +12,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -23,12 +20,6 @@
 namespace limpet::survey {
 namespace {
 
-namespace bg = boost::geometry;
-namespace bgi = boost::geometry::index;
-using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using PointTree = bgi::rtree<std::pair<Point, std::uint32_t>, bgi::rstar<16>>;
-
-constexpr std::size_t kCentres = 1000;
 constexpr double kSparseShare = 0.05;  ///< of the surface, which is its sparse part
 /// Points to λ² there, where λ grows with the range. With three of them, far walls of rooms came to pieces.
 constexpr double kSparsePoints = 5;
@@ -36,23 +27,13 @@ constexpr double kGrowsAbove = 1.5;  ///< see suitable_resolution()
 constexpr int kNeighbours = 16;
 constexpr int kWideNeighbours = 64;  ///< with five points to λ² they lie within 2 λ
 constexpr double kFinePart = 0.75;   ///< of these, for area and noise
-constexpr std::size_t kMostInNeighbourhood = 1300;
-constexpr double kFlat = 0.15;  ///< thickness over radius below which a neighbourhood is a surface
+constexpr double kFlat = 0.15;       ///< thickness over radius below which a neighbourhood is a surface
 
 /// Of the angle of incidence: below the one a neighbourhood says nothing of the noise, below the other
 /// nothing.
 constexpr double kNoiseCosine = 0.2, kLeastCosine = 0.05;
 
 constexpr std::int64_t kRoundedShare = 50;  ///< depths are rounded if one neighbourhood in so many shows it
-
-Point to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
-
-/// All points of a sample, or of the scan, that lie within a radius of a centre.
-struct Neighbourhood {
-  std::vector<model::SensorPoint> points;
-  double radius = 0;
-  double weight = 1;  ///< points of the scan that each of these stands for
-};
 
 /// What a neighbourhood says when it is flat.
 struct Patch {
@@ -112,35 +93,6 @@ std::optional<Patch> patch_of(Neighbourhood around, const Eigen::Vector3d& axis,
   return patch;
 }
 
-/// The sample as a tree, for neighbourhoods of any number of points.
-class Coarse {
- public:
-  explicit Coarse(const Sampled& sample) : sample_(sample) {
-    std::vector<std::pair<Point, std::uint32_t>> items;
-    for (std::size_t i = 0; i < sample.points.size(); ++i) {
-      items.emplace_back(to_point(sample.points[i].position), static_cast<std::uint32_t>(i));
-    }
-    tree_ = PointTree(items);
-  }
-
-  Neighbourhood nearest(const model::SensorPoint& centre, int count) const {
-    std::vector<std::pair<Point, std::uint32_t>> found;
-    tree_.query(bgi::nearest(to_point(centre.position), static_cast<unsigned>(count)),
-                std::back_inserter(found));
-    Neighbourhood around;
-    around.weight = sample_.weight;
-    for (const auto& [point, index] : found) {
-      around.points.push_back(sample_.points[index]);
-      around.radius = std::max(around.radius, (around.points.back().position - centre.position).norm());
-    }
-    return around;
-  }
-
- private:
-  const Sampled& sample_;
-  PointTree tree_;
-};
-
 /// Sorted, without the largest 3 %, which come from outliers.
 std::vector<double> trimmed(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -175,7 +127,7 @@ double sparse_area(const std::vector<double>& areas) {
 }
 
 /// The finest scale at which the neighbourhood of a centre is flat; an empty patch where there is none.
-Patch first_flat(const Neighbourhood& fine, const Coarse& coarse, const model::SensorPoint& centre,
+Patch first_flat(const Neighbourhood& fine, const SampleTree& coarse, const model::SensorPoint& centre,
                  const RoundedDepths& rounded) {
   Patch found;
   found.range = centre.range;
@@ -196,17 +148,9 @@ Patch first_flat(const Neighbourhood& fine, const Coarse& coarse, const model::S
   return found;
 }
 
-std::vector<std::size_t> centres_of(const Sampled& sample) {
-  std::vector<std::size_t> centres;
-  const std::size_t n = sample.points.size();
-  const std::size_t stride = std::max<std::size_t>(1, n / kCentres);
-  for (std::size_t i = 0; i < n; i += stride) centres.push_back(i);
-  return centres;
-}
-
 /// Looks a second time if the first shows that the depths were rounded before the scan was turned.
 std::vector<Patch> look_at(const Sampled& sample, const std::vector<std::size_t>& centres,
-                           const std::vector<Neighbourhood>& fine, const Coarse& coarse) {
+                           const std::vector<Neighbourhood>& fine, const SampleTree& coarse) {
   const auto look = [&](const RoundedDepths& rounded) {
     std::vector<Patch> patches;
     for (std::size_t i = 0; i < centres.size(); ++i)
@@ -291,41 +235,11 @@ Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches,
 /// What the sample alone tells.
 Estimate coarse_estimate(const Sampled& sample) {
   const auto centres = centres_of(sample);
-  const Coarse coarse(sample);
+  const SampleTree coarse(sample);
   const auto patches = look_at(sample, centres, std::vector<Neighbourhood>(centres.size()), coarse);
   std::vector<Neighbourhood> wide;
   for (const std::size_t i : centres) wide.push_back(coarse.nearest(sample.points[i], kWideNeighbours));
   return summarise(sample, patches, wide);
-}
-
-bool holds_copy(const Neighbourhood& around, const model::SensorPoint& point) {
-  return std::any_of(around.points.begin(), around.points.end(),
-                     [&](const model::SensorPoint& other) { return other.position == point.position; });
-}
-
-/// Fills the neighbourhoods of these centres with the points that lie in them.
-void collect(const std::function<void(const Take&)>& pass, const Sampled& sample,
-             const std::vector<std::size_t>& centres, std::vector<Neighbourhood>& around) {
-  BallIndex balls;
-  for (std::size_t i = 0; i < centres.size(); ++i)
-    if (around[i].radius > 0)
-      balls.add(sample.points[centres[i]].position, around[i].radius, static_cast<std::uint32_t>(i));
-  pass([&](const model::SensorPoint& point) {
-    balls.for_each_near(point.position, [&](std::uint32_t i) {
-      Neighbourhood& one = around[i];
-      const auto& centre = sample.points[centres[i]];
-      if (one.points.size() == kMostInNeighbourhood || (point.position - centre.position).norm() > one.radius)
-        return;
-      if (!sample.copies_left_out || !holds_copy(one, point)) one.points.push_back(point);
-    });
-  });
-}
-
-Neighbourhood within(Neighbourhood around, const Eigen::Vector3d& centre, double radius) {
-  std::erase_if(around.points,
-                [&](const model::SensorPoint& p) { return (p.position - centre).norm() > radius; });
-  around.radius = radius;
-  return around;
 }
 
 }  // namespace
@@ -339,7 +253,7 @@ Estimate estimate(const std::function<void(const Take&)>& pass) {
   if (sample.weight <= 1) return coarse_estimate(sample);
 
   // A second look, at all the points near the centres.
-  const Coarse coarse(sample);
+  const SampleTree coarse(sample);
   const auto centres = centres_of(sample);
   std::vector<Neighbourhood> wide;
   for (const std::size_t i : centres) {

@@ -40,5 +40,17 @@ TEST(BallIndex, FindsEveryBallThatAPointLiesIn) {
   }
 }
 
+TEST(BallIndex, HoldsWhatIsFarAwayAndWhatIsTiny) {
+  BallIndex index;
+  const std::vector<std::pair<Eigen::Vector3d, double>> balls{
+      {{1e300, 0, -1e300}, 1}, {{1e300, 1, 0}, 1e299}, {{0, 0, 0}, 1e-310}, {{-1e18, 0, 0}, 1e-3}};
+  for (std::uint32_t i = 0; i < balls.size(); ++i) index.add(balls[i].first, balls[i].second, i);
+  for (std::uint32_t i = 0; i < balls.size(); ++i) {
+    bool found = false;
+    index.for_each_near(balls[i].first, [&](std::uint32_t ball) { found |= ball == i; });
+    EXPECT_TRUE(found) << i;
+  }
+}
+
 }  // namespace
 }  // namespace limpet::survey
