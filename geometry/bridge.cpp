@@ -25,7 +25,7 @@ Slot kept_before(const Foot& q1) { return q1.edge; }
 Slot kept_after(const Polygon& y, const Foot& q2) { return q2.cut ? y.next(q2.edge) : q2.edge; }
 
 /// The vertices of `p` from `first` to `last` in order; the edge that leaves `last` is a new one.
-void append_kept(const Polygon& p, Slot first, Slot last, Via& via) {
+void append_kept(const Polygon& p, Slot first, Slot last, std::vector<NewVertex>& via) {
   for (Slot s = first;; s = p.next(s)) {
     const auto& n = p.node(s);
     if (s == last) return via.push_back({n.at});

@@ -88,6 +88,7 @@ class ExtensionSearch {
 
 Edit edit_for(const ExtensionEnd& p1, const ExtensionEnd& p2, Point2 q) {
   Chain chain{p1.vertex, {}, p2.vertex};
+  chain.via.reserve(3);
   if (p1.cut) chain.via.push_back({*p1.cut});
   chain.via.push_back({q});
   if (p2.cut) chain.via.push_back({*p2.cut});

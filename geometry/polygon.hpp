@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/container/small_vector.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,13 +18,10 @@ struct NewVertex {
   bool shared = false;  ///< the edge is a shared edge
 };
 
-/// The vertices of a chain between its ends. Most have no more than four, which lie within the chain itself.
-using Via = boost::container::small_vector<NewVertex, 4>;
-
 /// A chain of new edges, from -> via[0] -> ... -> to, between two vertices that stay.
 struct Chain {
   Slot from = kNoSlot;
-  Via via;
+  std::vector<NewVertex> via;
   Slot to = kNoSlot;
   EdgeId edge{};        ///< the identity that the new edge from `from` keeps; none: it gets a new one
   bool shared = false;  ///< that edge is a shared edge
@@ -36,7 +32,7 @@ struct Chain {
 /// are joined or split. Whole cycles may be removed, and new ones (loops) added. judge() judges it; it is
 /// then committed whole or dropped.
 struct Edit {
-  boost::container::small_vector<Chain, 1> chains;
+  std::vector<Chain> chains;
   std::vector<std::vector<NewVertex>> loops;
   std::vector<CycleId> removed_cycles;
 };

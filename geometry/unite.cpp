@@ -235,7 +235,7 @@ class Candidate {
 
   static void drop_near(std::vector<NewVertex>& loop) {
     if (loop.empty()) return;
-    Via rest(loop.begin() + 1, loop.end());
+    std::vector<NewVertex> rest(loop.begin() + 1, loop.end());
     drop_near(loop.front(), rest, loop.front().at);
     loop.resize(1);
     loop.insert(loop.end(), rest.begin(), rest.end());
@@ -243,8 +243,8 @@ class Candidate {
 
   /// Drops vertices closer than two steps to the one before, and at the end those as close to `to`. The edge
   /// before a dropped vertex is a new edge, so it loses its identity.
-  static void drop_near(NewVertex& start, Via& via, Point2 to) {
-    Via result;
+  static void drop_near(NewVertex& start, std::vector<NewVertex>& via, Point2 to) {
+    std::vector<NewVertex> result;
     const auto last = [&]() -> NewVertex& { return result.empty() ? start : result.back(); };
     const auto drop_after_last = [&] { last().edge = {}, last().shared = false; };
     for (const NewVertex& v : via) {

@@ -165,8 +165,8 @@ class Repositioning {
         continue;
       }
       const Slot from = perimeter.prev(first);
-      edit.chains.push_back({from, geometry::Via(via.begin(), via.end()), s, perimeter.node(from).edge,
-                             perimeter.node(from).shared});
+      edit.chains.push_back(
+          {from, std::move(via), s, perimeter.node(from).edge, perimeter.node(from).shared});
     }
     return edit;
   }

@@ -44,7 +44,7 @@ SampleTree::~SampleTree() = default;
 Neighbourhood SampleTree::nearest(const model::SensorPoint& centre, int count) const {
   std::vector<std::pair<Point, std::uint32_t>> found;
   tree_->points.query(bgi::nearest(to_point(centre.position), static_cast<unsigned>(count)),
-              std::back_inserter(found));
+                      std::back_inserter(found));
   Neighbourhood around;
   around.weight = sample_.weight;
   for (const auto& [point, index] : found) {
@@ -62,8 +62,9 @@ std::vector<std::size_t> centres_of(const Sampled& sample) {
   return centres;
 }
 
-void collect(const std::function<void(const std::function<void(const model::SensorPoint&)>&)>& pass, const Sampled& sample,
-             const std::vector<std::size_t>& centres, std::vector<Neighbourhood>& around) {
+void collect(const std::function<void(const std::function<void(const model::SensorPoint&)>&)>& pass,
+             const Sampled& sample, const std::vector<std::size_t>& centres,
+             std::vector<Neighbourhood>& around) {
   BallIndex balls;
   for (std::size_t i = 0; i < centres.size(); ++i)
     if (around[i].radius > 0)

@@ -28,10 +28,6 @@ std::vector<NewVertex> any_points(Random& random, const Polygon& p, std::int64_t
   return via;
 }
 
-Chain chain(Slot from, const std::vector<NewVertex>& via, Slot to) {
-  return {from, Via(via.begin(), via.end()), to};
-}
-
 /// One chain, two on one cycle, a removed cycle, a new loop: anything whose parts do not overlap.
 Edit any_edit(Random& random, const Polygon& p) {
   Edit edit;
@@ -43,8 +39,8 @@ Edit any_edit(Random& random, const Polygon& p) {
       if (j == size || k == j) break;
       const Slot b = ahead(p, from, i), c = ahead(p, from, j), d = ahead(p, from, k);
       const bool crosswise = random.chance(0.5);
-      edit.chains.push_back(chain(from, any_points(random, p, 2), crosswise ? d : b));
-      edit.chains.push_back(chain(c, any_points(random, p, 2), crosswise ? b : d));
+      edit.chains.push_back({from, any_points(random, p, 2), crosswise ? d : b});
+      edit.chains.push_back({c, any_points(random, p, 2), crosswise ? b : d});
       return edit;
     }
     case 1:
@@ -62,15 +58,15 @@ Edit any_edit(Random& random, const Polygon& p) {
       if (p.node(other).cycle == p.node(from).cycle) break;
       const Slot a = ahead(p, from, random.whole(1, 2)), b = ahead(p, other, random.whole(1, 2));
       const bool joined = random.chance(0.7);
-      edit.chains.push_back(chain(from, any_points(random, p, 1), joined ? b : a));
-      edit.chains.push_back(chain(other, any_points(random, p, 1), joined ? a : b));
+      edit.chains.push_back({from, any_points(random, p, 1), joined ? b : a});
+      edit.chains.push_back({other, any_points(random, p, 1), joined ? a : b});
       return edit;
     }
     default:
       break;
   }
-  edit.chains.push_back(chain(from, any_points(random, p, 2),
-                              ahead(p, from, random.whole(1, std::min<std::int64_t>(size, 5)))));
+  edit.chains.push_back(
+      {from, any_points(random, p, 2), ahead(p, from, random.whole(1, std::min<std::int64_t>(size, 5)))});
   return edit;
 }
 

@@ -20,7 +20,7 @@ std::vector<Edit> some_edits(const Polygon& p) {
   Random random(1);
   const auto any_slot = [&] { return Slot{static_cast<std::uint32_t>(random.bits() % p.slot_count())}; };
   const auto any_points = [&] {
-    Via points;
+    std::vector<NewVertex> points;
     for (auto n = random.whole(0, 2); n > 0; --n) points.push_back({telling_point(random, p, kGap / 2)});
     return points;
   };
