@@ -20,9 +20,9 @@ namespace limpet::benchmarks {
 Json answer_limpet(const Json& request);
 
 /// As `limpet model SCAN` does it, with nothing given: the cloud is written as a PLY file at "scan" of the
-/// request, which is not counted; reading it twice, choosing λ, noise and tolerance, putting the points in
-/// order (not with "arrival"), updates and finishing are. Also answers with "resolution", λ as it was chosen,
-/// "choosing_seconds" and "finish_seconds"; with "judge" as above.
+/// request, which is not counted; reading it (three times), choosing λ, noise and tolerance, putting the
+/// points in order (not with "arrival"), updates and finishing are. Also answers with "resolution", λ as it
+/// was chosen, "choosing_seconds" and "finish_seconds"; with "judge" as above.
 Json answer_default(const Json& request);
 
 /// CGAL's region growing and Efficient RANSAC. A face is right by its points (faces_right_by_points()).

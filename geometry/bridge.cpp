@@ -169,14 +169,14 @@ bool bridge_polygons(Polygon& a, const Polygon& b, const Gap& gap, EdgeIds& ids)
 bool bridge_self(Polygon& polygon, Slot vertex, double gap, EdgeIds& ids) {
   const Point2 v = polygon.at(vertex);
   const auto along = edges_along(polygon, vertex, 2 * gap);
-  const auto is_along = [&](Slot s) { return std::find(along.begin(), along.end(), s) != along.end(); };
   internal::SmallVector<PerimeterPoint, 16> near;
   polygon.any_edge_near(Box2{v, v}.grown(gap), [&](Slot s) {
     const auto& n = polygon.node(s);
     if (n.cycle != polygon.node(vertex).cycle || n.shared) return false;
     const double t = nearest_fraction(n.at, polygon.end(s), v);
     const Point2 at = n.at + t * (polygon.end(s) - n.at);
-    if (squared_length(at - v) < gap * gap && !is_along(s) && leaves_outside(polygon, vertex, at))
+    if (squared_length(at - v) < gap * gap && std::find(along.begin(), along.end(), s) == along.end() &&
+        leaves_outside(polygon, vertex, at))
       near.push_back({s, t, at, squared_length(at - v)});
     return false;
   });

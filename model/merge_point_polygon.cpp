@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // Merging a point segment and a planar polygon segment (thesis §2.4.2).
+#include <cmath>
+
 #include <limpet/geometry/extend.hpp>
 
 #include "merging_internal.hpp"
@@ -36,7 +38,7 @@ inline bool merged_fit_accepted(const Setting& setting, const Segment& polygon, 
 
 /// Does the perimeter grow by the projected point? Not if that is inside, or so near that it adds nothing.
 bool adds_area(const Setting& setting, const Standing& st) {
-  return st.outside && !(setting.rules().near && st.perimeter_distance < st.gap / 4);
+  return st.outside && !(setting.rules().near && std::sqrt(st.nearest.squared_distance) < st.gap / 4);
 }
 
 /// Makes the projected point a vertex. False if the extension was refused.

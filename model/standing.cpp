@@ -48,7 +48,6 @@ Standing standing(const Setting& setting, const Segment& s, const Eigen::Vector3
     const auto nearest = geometry::nearest_perimeter_point(part.perimeter, result.chart_point, scale.gap);
     if (!nearest) return result;
     result.nearest = *nearest;
-    result.perimeter_distance = std::sqrt(nearest->squared_distance);
     result.distance2 += nearest->squared_distance * setting.step * setting.step;
   }
   result.near = result.distance2 < scale.lambda2;

@@ -13,7 +13,6 @@ struct Standing {
   bool near = false;                 ///< within λ, sensed from the right side, and fitting the plane
   double distance2 = 0;              ///< squared distance from the polygon, scan's unit
   bool outside = false;              ///< outside the perimeter, in the chart
-  double perimeter_distance = 0;     ///< in the chart, grid steps; when outside
   geometry::PerimeterPoint nearest;  ///< in the chart; when outside and `near`
   double gap = 0;                    ///< λ there, grid steps
   geometry::Point2 chart_point;

@@ -1,5 +1,5 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <limpet/survey/ball_index_internal.hpp>
+#include <limpet/model/spatial_index_internal.hpp>
 #include <limpet/survey/neighbourhoods_internal.hpp>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace limpet::survey {
@@ -25,6 +26,24 @@ Point to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 bool holds_copy(const Neighbourhood& around, const model::SensorPoint& point) {
   return std::any_of(around.points.begin(), around.points.end(),
                      [&](const model::SensorPoint& other) { return other.position == point.position; });
+}
+
+/// The boxes of these neighbourhoods.
+model::SpatialIndex index_of(const Sampled& sample, const std::vector<std::size_t>& centres,
+                             const std::vector<Neighbourhood>& around) {
+  double narrowest = std::numeric_limits<double>::max(), farthest = 0;
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    if (around[i].radius > 0) narrowest = std::min(narrowest, 2 * around[i].radius);
+    farthest = std::max(farthest, sample.points[centres[i]].position.cwiseAbs().maxCoeff());
+  }
+  model::SpatialIndex boxes(std::max(narrowest, 0x1p-60 * farthest));  // cells are counted by whole numbers
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    const Eigen::Vector3d& at = sample.points[centres[i]].position;
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(around[i].radius);
+    if (around[i].radius > 0)
+      boxes.insert(model::Box3(at - reach, at + reach), static_cast<std::uint32_t>(i));
+  }
+  return boxes;
 }
 
 }  // namespace
@@ -65,18 +84,19 @@ std::vector<std::size_t> centres_of(const Sampled& sample) {
 void collect(const std::function<void(const std::function<void(const model::SensorPoint&)>&)>& pass,
              const Sampled& sample, const std::vector<std::size_t>& centres,
              std::vector<Neighbourhood>& around) {
-  BallIndex balls;
-  for (std::size_t i = 0; i < centres.size(); ++i)
-    if (around[i].radius > 0)
-      balls.add(sample.points[centres[i]].position, around[i].radius, static_cast<std::uint32_t>(i));
+  const model::SpatialIndex boxes = index_of(sample, centres, around);
+  const model::Box3 all = boxes.bounds();
+  std::vector<std::uint32_t> near;
   pass([&](const model::SensorPoint& point) {
-    balls.for_each_near(point.position, [&](std::uint32_t i) {
+    if (!all.contains(point.position)) return;
+    boxes.query(point.position, near);
+    for (const std::uint32_t i : near) {
       Neighbourhood& one = around[i];
       const auto& centre = sample.points[centres[i]];
       if (one.points.size() == kMostInNeighbourhood || (point.position - centre.position).norm() > one.radius)
-        return;
+        continue;
       if (!sample.copies_left_out || !holds_copy(one, point)) one.points.push_back(point);
-    });
+    }
   });
 }
 
