@@ -33,6 +33,8 @@ constexpr double kFlat = 0.15;       ///< thickness over radius below which a ne
 /// nothing.
 constexpr double kNoiseCosine = 0.2, kLeastCosine = 0.05;
 
+constexpr double kWild = 1000;  ///< see without_wild()
+
 constexpr std::int64_t kRoundedShare = 50;  ///< depths are rounded if one neighbourhood in so many shows it
 
 /// What a neighbourhood says when it is flat.
@@ -232,6 +234,24 @@ Estimate summarise(const Sampled& sample, const std::vector<Patch>& patches,
           sample.count};
 }
 
+/// Without points that are a thousand times as far from the middle as 95 % of them: errors of a file, beside
+/// which all else would look exact, and flat to the last digit.
+Sampled without_wild(Sampled sample) {
+  Eigen::Vector3d middle;
+  for (int i = 0; i < 3; ++i) {
+    std::vector<double> coordinates;
+    for (const auto& p : sample.points) coordinates.push_back(p.position[i]);
+    middle[i] = quantile(std::move(coordinates), 0.5);
+  }
+  std::vector<double> distances;
+  for (const auto& p : sample.points) distances.push_back((p.position - middle).norm());
+  const double farthest = kWild * quantile(std::move(distances), 0.95);
+  if (farthest > 0)
+    std::erase_if(sample.points,
+                  [&](const model::SensorPoint& p) { return (p.position - middle).norm() > farthest; });
+  return sample;
+}
+
 /// What the sample alone tells.
 Estimate coarse_estimate(const Sampled& sample) {
   const auto centres = centres_of(sample);
@@ -244,12 +264,12 @@ Estimate coarse_estimate(const Sampled& sample) {
 
 }  // namespace
 
-Estimate estimate(const Sample& sample) { return coarse_estimate(sample.result()); }
+Estimate estimate(const Sample& sample) { return coarse_estimate(without_wild(sample.result())); }
 
 Estimate estimate(const std::function<void(const Take&)>& pass) {
   Sample all;
   pass([&](const model::SensorPoint& point) { all.add(point); });
-  const Sampled sample = all.result();
+  const Sampled sample = without_wild(all.result());
   if (sample.weight <= 1) return coarse_estimate(sample);
 
   // A second look, at all the points near the centres.

@@ -51,6 +51,23 @@ INSTANTIATE_TEST_SUITE_P(Scans, EstimateTest,
                            return shape + "_" + std::to_string(test.index);
                          });
 
+/// One record at 10³⁰ made all else look exact: noise 0, and a model without a polygon.
+TEST(Estimate, WildRecordsSayNothing) {
+  for (const std::int64_t count : {5'000, 60'000}) {
+    const auto points = Case{"cube", count, simulation::ScanOptions::Order::sampled, 0.002, 0}.make();
+    const auto estimate_with = [&](const std::vector<double>& wild) {
+      return estimate([&](const Take& take) {
+        for (const double far : wild) take({Eigen::Vector3d(far, -far, 0), Eigen::Vector3d::UnitZ()});
+        for (const auto& p : points) take(p.point);
+      });
+    };
+    const Estimate truth = estimate_with({}), found = estimate_with({1e30, -1e200, 1e5});
+    EXPECT_NEAR(found.noise.fixed / truth.noise.fixed, 1, 0.1);
+    EXPECT_NEAR(found.area_per_point / truth.area_per_point, 1, 0.1);
+    EXPECT_EQ(found.noise.varies(), false);
+  }
+}
+
 TEST(Estimate, NothingToSay) {
   EXPECT_EQ(estimate([](const Take&) {}).area_per_point, 0);
   const Estimate same = estimate([](const Take& take) {
