@@ -10,9 +10,11 @@
 #include <vector>
 
 #include <limpet/following/clearance.hpp>
+#include <limpet/following/intent.hpp>
 #include <limpet/following/parameters.hpp>
 #include <limpet/kinematics/posture.hpp>
 #include <limpet/model/model.hpp>
+#include <limpet/model/view.hpp>
 
 namespace limpet::following {
 
@@ -90,6 +92,8 @@ class Follower {
 
   const Parameters& parameters() const { return parameters_; }
   virtual Marks marks() const = 0;
+  /// What the last motion is part of. `view`: of the model that the follower has seen last, unchanged since.
+  virtual Intent intent(const model::View& view) const = 0;
   /// How often the model has been asked what finishing would close (Model::would_finish()), which takes by
   /// far the longest of all that a step may do.
   virtual std::int64_t outcomes_asked() const = 0;

@@ -2,6 +2,7 @@
 #include <limpet/model/view.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
@@ -243,6 +244,16 @@ std::optional<View::Segment> View::segment(SegmentId id) const {
     result.holes = s->polygon->perimeter.hole_count();
   }
   return result;
+}
+
+std::optional<double> View::residual(SegmentId id) const {
+  const internal::Segment* s = complex_->find(id);
+  if (!s || s->count() == 0) return std::nullopt;
+  const Fit fit = fit_to(s->data.moments(), complex_->setting().step, s->data.axis_sum());
+  const geometry::Plane plane = s->polygon ? s->polygon->plane() : fit.plane();
+  const double a1 = fit.axis1.dot(plane.normal), a2 = fit.axis2.dot(plane.normal);
+  const double a3 = fit.normal.dot(plane.normal), off = plane.normal.dot(fit.centroid - plane.point);
+  return std::sqrt(std::max(0.0, fit.u1 * a1 * a1 + fit.u2 * a2 * a2 + fit.u3 * a3 * a3) + off * off);
 }
 
 void View::segments(std::vector<SegmentId>& result, const Which& which) const {

@@ -152,6 +152,9 @@ class View {
 
   /// Nothing when the segment is gone: merged into another one, or deleted.
   std::optional<Segment> segment(SegmentId) const;
+  /// Root mean square distance of a segment's sensor points from its Segment::plane. Nothing when the segment
+  /// is gone, or represents no points.
+  std::optional<double> residual(SegmentId) const;
   /// All segments, by identity.
   void segments(std::vector<SegmentId>&, const Which& = {}) const;
   /// The segments whose boxes (Segment::box) meet this one, by identity. An empty box meets nothing.

@@ -40,6 +40,7 @@ class FrontierFollower : public Follower {
   Marks marks() const override {
     return {{}, open_.edges(PartState::unreachable), open_.edges(PartState::unclosable)};
   }
+  Intent intent(const View&) const override;
   std::int64_t outcomes_asked() const override { return outcomes_asked_; }
 
  protected:
@@ -243,6 +244,14 @@ Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
   const View view = seen.model.view();
   const internal::Steering steering(view, clearance(), seen.posture, step(seen));
   return {travel_->next(steering, here), Mode::travel};
+}
+
+Intent FrontierFollower::intent(const View&) const {
+  Intent intent;
+  for (const Target& target : outlook_.targets) intent.targets.push_back(target.at);
+  if (aim_) intent.aim = {aim_->target.at, aim_->place};
+  if (travel_) intent.way.assign(travel_->way_back().rbegin(), travel_->way_back().rend());
+  return intent;
 }
 
 void FrontierFollower::begin(const Observation& seen) {

@@ -36,6 +36,9 @@ class Travel {
   /// Precondition: is_under_way().
   const Eigen::Vector3d& goal() const { return way_.front(); }
 
+  /// The places to go over, from the goal back to the next one. Empty when nothing is under way.
+  const std::vector<Eigen::Vector3d>& way_back() const { return way_; }
+
   enum class Progress {
     good,
     stopped,  ///< another way may do

@@ -139,6 +139,15 @@ double CurrentSurface::way_along_follow_edge(const Situation& now) const {
   return distance_to(follow_, now) + (leg.to - leg.from).norm();
 }
 
+std::vector<Vector3d> CurrentSurface::way() const {
+  std::vector<Vector3d> places;
+  for (std::size_t i = follow_; path_ && i < path_->legs.size(); ++i) {
+    if (places.empty() || places.back() != path_->legs[i].from) places.push_back(path_->legs[i].from);
+    places.push_back(path_->legs[i].to);
+  }
+  return places;
+}
+
 /// The follow edge becomes the one farthest along the path that is within ρ.
 void CurrentSurface::advance(const Situation& now, Pursuit& pursuit) {
   for (std::size_t i = path_->legs.size(); i-- > follow_ + 1;) {

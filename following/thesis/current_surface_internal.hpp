@@ -26,6 +26,8 @@ class CurrentSurface {
   /// A new path will be found.
   void begin() { path_.reset(); }
   Decision follow(const Situation&, Pursuit&);
+  /// What is left of the path: the ends of its legs, as they were when it was found. Empty without one.
+  std::vector<Eigen::Vector3d> way() const;
 
  private:
   bool holds(const Situation&, const Pursuit&);

@@ -36,6 +36,10 @@ Decision GapFollowing::follow(const Situation& now, Pursuit& pursuit) {
   return Direction{way, way.norm()};
 }
 
+std::vector<Vector3d> GapFollowing::targets() const {
+  return {targets_.begin() + static_cast<std::ptrdiff_t>(std::min(target_, targets_.size())), targets_.end()};
+}
+
 /// Has surface modelling changed the current edge, or made a polygon of the point segment?
 bool GapFollowing::is_over(const Situation& now, const Pursuit& pursuit) const {
   if (from_ == Mode::current_edge) return !pursuit.edge;

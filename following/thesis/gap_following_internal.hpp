@@ -23,6 +23,8 @@ class GapFollowing {
 
   /// Has the robot been moved since begin()?
   bool has_moved() const { return moved_; }
+  /// The target points that are left, the one whose turn it is first.
+  std::vector<Eigen::Vector3d> targets() const;
 
  private:
   bool is_over(const Situation&, const Pursuit&) const;

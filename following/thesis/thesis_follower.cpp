@@ -1,5 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <limpet/following/thesis/control_point_motion.hpp>
 #include <limpet/following/thesis/thesis_follower.hpp>
@@ -40,11 +41,23 @@ ClosestPoint closest_point(const Situation& now) {
   return {0, now.view.segment(now.closest->segment)->plane.normal};
 }
 
+/// The two sides of the current slice, as far as 2 λ to either side of the current point.
+std::array<std::array<Vector3d, 2>, 2> sides_of(const Slices& slices, const model::View::Edge& edge,
+                                                const Vector3d& normal, double resolution) {
+  const Vector3d point = slices.current_point(edge), along = slices.vector() * (resolution / 4);
+  const Vector3d across = slices.vector().cross(normal).normalized() * (2 * resolution);
+  const auto side = [&](const Vector3d& at) {
+    return std::array{Vector3d(at - across), Vector3d(at + across)};
+  };
+  return {side(point - along), side(point + along)};
+}
+
 class ThesisFollower final : public Follower {
  public:
   explicit ThesisFollower(const Parameters& p) : Follower(p), pursuit_(p), surface_(p) {}
 
   Marks marks() const override { return pursuit_.completeness.marks(); }
+  Intent intent(const model::View&) const override;
   std::int64_t outcomes_asked() const override { return pursuit_.completeness.outcomes_asked(); }
 
  protected:
@@ -131,6 +144,19 @@ class ThesisFollower final : public Follower {
   PointFollowing point_;
   GapFollowing gap_;
 };
+
+Intent ThesisFollower::intent(const model::View& view) const {
+  Intent intent;
+  intent.segment = pursuit_.segment;
+  intent.edge = pursuit_.edge;
+  if (mode_ == Mode::current_surface) intent.way = surface_.way();
+  if (mode_ == Mode::gap) intent.targets = gap_.targets();
+  const auto edge = view.edge(pursuit_.edge);
+  if (edge && pursuit_.slices.has_current())
+    intent.slice =
+        sides_of(pursuit_.slices, *edge, view.segment(edge->segment)->plane.normal, parameters().resolution);
+  return intent;
+}
 
 }  // namespace
 
