@@ -148,7 +148,7 @@ void require_writable(const std::string& path) {
 void require_model_name(const std::string& path) {
   const std::string extension = io::extension_of(path);
   if (extension != "limpet" && !io::is_mesh_extension(extension))
-    throw UsageError("-o " + path + ": a model is written as .limpet, .off, .ply, .obj or .stl");
+    throw UsageError("-o " + path + ": a model is written as .limpet, .off, .ply, .obj, .stl, .glb or .vtp");
 }
 
 void refuse_folder(const std::string& path) {

@@ -134,4 +134,14 @@ struct DrawArguments {
 };
 int run(const DrawArguments&);
 
+struct ViewArguments {
+  std::string source;                ///< a native model or a recorded run
+  std::vector<std::string> outputs;  ///< .html, .glb, .vtp; of a run .pvd, too
+  std::string truth;                 ///< the name of a shape, or a mesh file; empty: none
+  int stages = 100;                  ///< of a run, in a .pvd
+  bool times = false;                ///< of each update, as measured now
+  bool quiet = false;
+};
+int run(const ViewArguments&);
+
 }  // namespace limpet::app

@@ -12,6 +12,7 @@
 #include <iostream>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/commands.hpp>
+#include <limpet/drawing/page.hpp>
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/simulation/mesh.hpp>
@@ -54,7 +55,8 @@ void add_model(CLI::App& root, Command& chosen) {
   auto& app = *root.add_subcommand("model", "Build a model from a scan, read in order, in sets");
   const auto args = make_command<ModelArguments>(app, chosen);
   app.add_option("SCAN", args->scan, "A scan: .ply, .pcd, .xyz or .pwn (- for standard input)")->required();
-  app.add_option("-o,--output", args->models, "Where to write the model: .limpet, .off, .ply, .obj, .stl")
+  app.add_option("-o,--output", args->models,
+                 "Where to write the model: .limpet, .off, .ply, .obj, .stl, .glb, .vtp")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -149,7 +151,8 @@ void add_follow(CLI::App& root, Command& chosen) {
   auto& app = *root.add_subcommand("follow", "Drive a simulated robot over an object until it is modelled");
   const auto args = make_command<FollowArguments>(app, chosen);
   app.add_option("SCENE", args->scene, "A shape, a mesh (.off, .stl, .obj, .ply), or a scene file (.toml)");
-  app.add_option("-o,--output", args->models, "Where to write the model: .limpet, .off, .ply, .obj, .stl")
+  app.add_option("-o,--output", args->models,
+                 "Where to write the model: .limpet, .off, .ply, .obj, .stl, .glb, .vtp")
       ->required()
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -326,6 +329,27 @@ void add_draw(CLI::App& root, Command& chosen) {
   add_quiet_and_json(app, args->quiet, nullptr);
 }
 
+void add_view(CLI::App& root, Command& chosen) {
+  auto& app =
+      *root.add_subcommand("view", "One page that shows a model or plays a run, in any browser, offline");
+  const auto args = make_command<ViewArguments>(app, chosen);
+  app.add_option("MODEL", args->source, "A native model file, .limpet, or a recorded run of limpet follow")
+      ->required();
+  app.add_option("-o,--output", args->outputs,
+                 "Where to write it: .html; .glb (glTF), .vtp and, of a run, .pvd (ParaView)")
+      ->required()
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("PAGE");
+  app.add_option("--truth", args->truth, "Show the true surface, too: a mesh, or the name of a shape")
+      ->type_name("MESH");
+  app.add_option("--stages", args->stages, "Models in a .pvd (default 100)")->check(CLI::Range(1, 100'000));
+  app.add_flag("--times", args->times,
+               "Measure the time of each update; such a page has not the same bytes each time");
+  app.add_option("--seed", "Taken for the sake of scripts")->check(CLI::TypeValidator<std::uint64_t>());
+  add_quiet_and_json(app, args->quiet, nullptr);
+}
+
 /// One line, whatever is in it.
 int fail(const std::string& message, int code) {
   std::string line = message;
@@ -360,6 +384,7 @@ int parse_and_run(int argc, char** argv) {
   add_check(app, command);
   add_compare(app, command);
   add_draw(app, command);
+  add_view(app, command);
   const auto is_name = [&](const CLI::App* sub) { return sub->get_name() == argv[1]; };
   const auto commands = app.get_subcommands({});
   if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_name)) {
@@ -393,6 +418,8 @@ int main(int argc, char** argv) {
   } catch (const limpet::io::InputError& error) {
     return fail(error.what(), kBadInput);
   } catch (const limpet::io::OutputError& error) {
+    return fail(error.what(), kBadInput);
+  } catch (const limpet::drawing::NoPage& error) {
     return fail(error.what(), kBadInput);
   } catch (const limpet::simulation::MeshError& error) {
     return fail(error.what(), kBadInput);

@@ -14,6 +14,10 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
+
+#include "gltf_writer_internal.hpp"
+#include "vtp_writer_internal.hpp"
 
 namespace limpet::io {
 namespace {
@@ -203,12 +207,15 @@ bool is_foreign_side_file(const std::string& side_file) {
 }
 
 bool is_mesh_extension(const std::string& extension) {
-  return extension == "off" || extension == "ply" || extension == "obj" || extension == "stl";
+  static constexpr std::string_view kKnown[] = {"off", "ply", "obj", "stl", "glb", "vtp"};
+  return std::find(std::begin(kKnown), std::end(kKnown), extension) != std::end(kKnown);
 }
 
 void save_mesh(const std::string& path, const model::ModelRecord& model) {
   const std::string extension = extension_of(path);
   if (!is_mesh_extension(extension)) throw std::invalid_argument(path + ": not the name of a mesh file");
+  if (extension == "glb") return save_bytes(path, internal::glb_bytes(model));
+  if (extension == "vtp") return save_bytes(path, internal::vtp_text(model));
   const double reach = std::max(model.parameters.resolution, 8 * model.grid_step);
   const Mesh mesh = build(make_mesh(lift(model), reach, extension == "stl"));
   if (extension == "off") save_bytes(path, off_text(mesh));
@@ -224,7 +231,8 @@ void save_model(const std::string& path, const model::ModelRecord& model) {
   } else if (is_mesh_extension(extension)) {
     save_mesh(path, model);
   } else {
-    throw OutputError(path + ": a model is written as .limpet, .off, .ply, .obj or .stl, not as " +
+    throw OutputError(path +
+                      ": a model is written as .limpet, .off, .ply, .obj, .stl, .glb or .vtp, not as " +
                       in_quotes(extension));
   }
 }

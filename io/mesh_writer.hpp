@@ -6,7 +6,7 @@
 
 namespace limpet::io {
 
-/// True for the extensions save_mesh knows: off, ply, obj, stl (lower case, no dot).
+/// True for the extensions save_mesh knows: off, ply, obj, stl, glb, vtp (lower case, no dot).
 bool is_mesh_extension(const std::string& extension);
 
 /// The file that save_model() writes beside `path`; empty: none. The materials of an OBJ file.
@@ -19,7 +19,9 @@ bool is_foreign_side_file(const std::string& side_file);
 /// in it. Coordinates read back as the same doubles, except from STL, whose format has floats. Faces:
 /// polygons; those with holes are triangulated, in STL all are. OFF and PLY carry a colour per segment, OBJ
 /// does so by a .mtl file beside it. What a manifold mesh cannot hold (an edge of three faces) is written
-/// over vertices of its own. Errors: OutputError; std::invalid_argument for another extension.
+/// over vertices of its own. For looking at, with edges as lines, those shared told from those open: glTF
+/// (.glb; positions are floats about the model's middle) and VTK (.vtp; all that is known of a cell beside
+/// it, and point segments). Errors: OutputError; std::invalid_argument for another extension.
 void save_mesh(const std::string& path, const model::ModelRecord& model);
 
 /// Writes a model in the format of the extension: limpet (native), or a mesh.
