@@ -1,0 +1,41 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+// window.limpet: what tests and scripts may ask of the page.
+import { selectionOf } from "./pointer.js";
+
+export function testInterface(started, failed) {
+  const page = {};
+  page.ready = started.then(({ app, ui }) => {
+    const { viewer, frame } = app;
+    Object.assign(page, {
+      timeline: app.timeline,
+      state: () => app.state,
+      seek: (step) => app.seek(step),
+      select: (selection) => app.select(selection, { focus: true }),
+      selection: () => app.selection,
+      play: () => ui.player.play(),
+      pause: () => ui.player.pause(),
+      isPlaying: () => ui.player.playing,
+      /// What a click at these pixels of the window would select.
+      pick: (x, y) => {
+        const { left, top } = viewer.canvas.getBoundingClientRect();
+        return selectionOf(app.picker.pick(x - left, y - top));
+      },
+      /// Pixels of the window where a place of the world is drawn.
+      project: (world) => {
+        const [x, y] = viewer.project(frame.ofWorld(world));
+        const { left, top } = viewer.canvas.getBoundingClientRect();
+        return [left + x, top + y];
+      },
+      setView: (name) => viewer.setView(name),
+      stats: () => ({ step: app.step, frames: viewer.frames, triangles: app.model.faces.count, edges: app.model.edgeCount,
+        corners: app.model.corners.count, points: app.model.points.count, polygons: app.state.polygons.size,
+        view: viewer.view, theme: app.theme, orthographic: viewer.isOrthographic,
+        calls: viewer.renderer.info.render.calls, snapshots: app.timeline.snapshots.length }),
+      render: () => viewer.render(),
+      camera: () => viewer.camera.position.toArray(),
+    });
+    return page;
+  });
+  page.ready.catch(failed);
+  return page;
+}

@@ -1,0 +1,230 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+// Everything of a run that is not the model: robot, rays of the current set, path so far, what the robot is up to.
+import { CapsuleGeometry, Color, Group, Matrix4, Mesh, Quaternion, ShaderMaterial, SphereGeometry, Vector3 } from "three";
+import { LineBatch } from "./lines.js";
+import { PointBatch } from "./points.js";
+import { edgeEnds } from "./geometry.js";
+import { jointCount, linkPoses, sensorPoses } from "./kinematics.js";
+import { themeColors } from "./palette.js";
+
+const kTrail = 40;  // the last sets of the path, that stand out
+
+// Lit from the camera, like the faces; three's own lit materials would weigh more than they are worth here.
+const kVertexShader = `varying vec3 n; void main() { n = normalMatrix * normal;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`;
+const kFragmentShader = `uniform vec3 tint; varying vec3 n; void main() {
+  gl_FragColor = vec4(tint * (0.55 + 0.45 * abs(normalize(n).z)), 1.0); }`;
+
+export class RunView {
+  constructor(data, frame, viewer) {
+    this.head = data.head;
+    this.arrays = data.arrays;
+    this.frame = frame;
+    this.viewer = viewer;
+    this.robot = data.head.robot ?? null;
+    this.sets = data.head.run.sets;
+    this.group = new Group();
+    viewer.scene.add(this.group);
+    this.material = new ShaderMaterial({ vertexShader: kVertexShader, fragmentShader: kFragmentShader,
+      uniforms: { tint: { value: { x: 0, y: 0, z: 0 } } } });
+    this.parts = {
+      path: [this.path = new LineBatch({ width: 1.2 })],
+      trail: [this.trail = new LineBatch({ width: 2.6, order: 3 })],
+      rays: [this.rays = new LineBatch({ width: 2, order: 4 }), this.hits = new PointBatch({ size: 7, order: 5 }),
+        this.misses = new LineBatch({ width: 1, order: 4 })],
+      targets: [this.targets = new PointBatch({ size: 9, ring: 0.55, through: true, order: 6 })],
+      aim: [this.aim = new LineBatch({ width: 1.6, dash: 2, through: true, order: 6 }),
+        this.goal = new PointBatch({ size: 13, ring: 0.6, through: true, order: 6 }),
+        this.place = new PointBatch({ size: 6, through: true, order: 6 })],
+      way: [this.way = new LineBatch({ width: 2, dash: 1, through: true, order: 6 })],
+      current: [this.current = new LineBatch({ width: 6, order: 4 })],
+      slice: [this.slice = new LineBatch({ width: 2, order: 5 })],
+    };
+    this.body = new Group();
+    this.bones = new LineBatch({ width: 3, order: 4 });
+    this.control = new PointBatch({ size: 11, order: 7 });
+    this.group.add(this.body, this.bones.object, this.control.object);
+    Object.values(this.parts).flat().forEach((part) => this.group.add(part.object));
+    this.hidden = new Set();
+    viewer.before.push(() => {
+      const perLength = 1 / viewer.lengthPerPixel();
+      this.aim.setPixels(perLength);
+      this.way.setPixels(perLength);
+    });
+    if (this.arrays.path) this.#makePath();
+    if (this.robot) this.#makeBody();
+    this.#makeReadings();
+  }
+
+  #makePath() {
+    const { path } = this.arrays;
+    this.places = new Float32Array(path.length);
+    for (let i = 0; i < path.length; ++i) this.places[i] = path[i] - this.frame.middle[i % 3];
+    const segments = new Float32Array(Math.max(0, 2 * (path.length - 3)));
+    for (let i = 0; i + 3 < path.length; i += 3) segments.set(this.places.subarray(i, i + 6), 2 * i);
+    this.path.set(segments);
+    this.pathSegments = segments;
+  }
+
+  #makeBody() {
+    this.links = this.robot.links.map((link) => {
+      const group = new Group();
+      group.matrixAutoUpdate = false;
+      for (const { a, b, radius } of link.capsules) {
+        const from = new Vector3(...a), to = new Vector3(...b);
+        const length = from.distanceTo(to);
+        const shape = length > 0 ? new CapsuleGeometry(radius, length, 6, 16) : new SphereGeometry(radius, 20, 12);
+        const mesh = new Mesh(shape, this.material);
+        mesh.position.copy(from).add(to).multiplyScalar(0.5);
+        const direction = to.sub(from).normalize();
+        if (length > 0) mesh.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), direction));
+        group.add(mesh);
+      }
+      this.body.add(group);
+      return group;
+    });
+    // A point robot has no body; a ball of a fifth of the resolution stands for it.
+    if (this.robot.links.every((link) => link.capsules.length === 0)) {
+      this.links[this.robot.control_point.link].add(
+        new Mesh(new SphereGeometry(0.2 * this.head.resolution, 20, 12), this.material));
+    }
+  }
+
+  #makeReadings() {
+    const { reading_count: counts, off_axis_reading: off } = this.arrays;
+    this.firstReading = new Uint32Array((counts?.length ?? 0) + 1);
+    for (let s = 0; s < (counts?.length ?? 0); ++s) this.firstReading[s + 1] = this.firstReading[s] + counts[s];
+    this.offAxis = new Map();
+    off?.forEach((reading, i) => this.offAxis.set(reading, i));
+  }
+
+  /// Readings of the set that a step shows: [{sensor, range}].
+  readings(step) {
+    const set = this.set(step);
+    const readings = [];
+    const { reading_sensor: sensor, reading_range: range } = this.arrays;
+    if (!sensor) return readings;
+    for (let i = this.firstReading[set]; i < this.firstReading[set + 1]; ++i) {
+      readings.push({ sensor: sensor[i], range: range[i], index: i });
+    }
+    return readings;
+  }
+
+  /// Counted from 0. What finishing did has no set of its own: the last one is shown.
+  set(step) {
+    return Math.min(step, this.sets) - 1;
+  }
+
+  setTheme(theme) {
+    const colors = themeColors(theme);
+    const { r, g, b } = new Color(colors.robot).convertLinearToSRGB();
+    this.material.uniforms.tint.value = { x: r, y: g, z: b };
+    const of = { path: "path", trail: "trail", rays: "ray", targets: "target", aim: "aim", way: "way", current: "current",
+      slice: "slice" };
+    for (const [name, color] of Object.entries(of)) this.parts[name].forEach((part) => part.setColor(colors[color]));
+    this.misses.setColor(colors.miss);
+    this.bones.setColor(colors.robot);
+    this.control.setColor(colors.robot);
+  }
+
+  show(state) {
+    const set = this.set(state.step);
+    if (set < 0) return;
+    if (this.places) {
+      this.path.limit(set);
+      const from = Math.max(0, set - kTrail);
+      this.trail.set(this.pathSegments.subarray(6 * from, 6 * set));
+    }
+    if (this.robot && this.arrays.joints) this.#showRobot(state.step, set);
+    else if (this.places) this.control.set(this.places.subarray(3 * set, 3 * set + 3));
+    this.#showIntent(state);
+    this.#apply();
+  }
+
+  #showRobot(step, set) {
+    const n = jointCount(this.robot);
+    const shift = this.frame.ofWorld([0, 0, 0]);
+    const poses = linkPoses(this.robot, this.arrays.joints.subarray(n * set, n * (set + 1)), shift);
+    this.links.forEach((link, i) => {
+      link.matrix.copy(poses[i]);
+      link.matrixWorldNeedsUpdate = true;
+    });
+    const bones = [];
+    const origin = (pose) => new Vector3().setFromMatrixPosition(pose).toArray();
+    // Links without a body are drawn as lines, but for gantries: prismatic joints from the world are only numbers.
+    this.robot.links.forEach((link, i) => {
+      if (link.parent < 0 || link.kind === "prismatic" || this.robot.links[link.parent].capsules.length > 0) return;
+      if (poses[i].equals(poses[link.parent])) return;
+      bones.push(...origin(poses[link.parent]), ...origin(poses[i]));
+    });
+    this.bones.set(Float32Array.from(bones));
+    const control = new Vector3(...this.robot.control_point.position)
+      .applyMatrix4(poses[this.robot.control_point.link] ?? new Matrix4());
+    this.control.set(Float32Array.from(control.toArray()));
+
+    const sensors = sensorPoses(this.robot, poses);
+    const rays = [], hits = [], misses = [];
+    const met = new Set();
+    for (const { sensor, range, index } of this.readings(step)) {
+      if (!sensors[sensor]) continue;
+      const { position, axis } = sensors[sensor];
+      const place = this.offAxis.has(index)
+        ? this.frame.ofArray(this.arrays.off_axis_place, 3 * this.offAxis.get(index))
+        : position.clone().addScaledVector(axis, range).toArray();
+      rays.push(...position.toArray(), ...place);
+      hits.push(...place);
+      met.add(sensor);
+    }
+    sensors.forEach(({ position, axis, range }, i) => {
+      if (met.has(i)) return;
+      const length = Number.isFinite(range) ? range : 2 * this.head.resolution;
+      misses.push(...position.toArray(), ...position.clone().addScaledVector(axis, 0.5 * length).toArray());
+    });
+    this.rays.set(Float32Array.from(rays));
+    this.hits.set(Float32Array.from(hits));
+    this.misses.set(Float32Array.from(misses));
+    this.controlPlace = control.toArray();
+  }
+
+  #showIntent(state) {
+    const intent = state.intent ?? {};
+    const places = (list) => {
+      const scene = new Float32Array(list?.length ?? 0);
+      for (let i = 0; i < scene.length; ++i) scene[i] = list[i] * this.frame.unit - this.frame.middle[i % 3];
+      return scene;
+    };
+    this.targets.set(places(intent.targets));
+    const { aim } = intent;
+    const here = this.controlPlace ?? (this.places ? [...this.places.subarray(3 * this.set(state.step)).slice(0, 3)] : null);
+    if (aim) {
+      const target = this.frame.ofModel(aim.target), place = this.frame.ofModel(aim.place);
+      this.aim.set(Float32Array.from(here ? [...here, ...place, ...place, ...target] : [...place, ...target]));
+      this.goal.set(Float32Array.from(target));
+      this.place.set(Float32Array.from(place));
+    } else for (const part of this.parts.aim) part.set(new Float32Array(0));
+    const stops = places(intent.way);
+    const way = new Float32Array(Math.max(0, 2 * (stops.length - 3)));
+    for (let i = 0; i + 3 < stops.length; i += 3) way.set(stops.subarray(i, i + 6), 2 * i);
+    this.way.set(way);
+    const ends = intent.edge ? edgeEnds(state, intent.edge, this.frame) : null;
+    this.current.set(Float32Array.from(ends ? ends.flat() : []));
+    this.slice.set(places(intent.slice));
+  }
+
+  setHidden(name, hidden) {
+    if (hidden) this.hidden.add(name);
+    else this.hidden.delete(name);
+    this.#apply();
+  }
+
+  #apply() {
+    const shown = (name) => !this.hidden.has(name);
+    this.body.visible = this.control.object.visible = shown("robot");
+    this.bones.object.visible = shown("robot") && this.bones.count > 0;
+    for (const [name, parts] of Object.entries(this.parts)) {
+      const on = shown(name === "trail" ? "path" : name);
+      for (const part of parts) part.object.visible = on && part.count > 0;
+    }
+    this.viewer.invalidate();
+  }
+}

@@ -1,0 +1,206 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+// The canvas: scene, cameras, named views; drawn on demand, never in an idle loop.
+import { Color, OrthographicCamera, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+
+// Directions from the middle towards the camera; z is up.
+export const kViews = {
+  iso: [1, -1.3, 0.9], front: [0, -1, 0], back: [0, 1, 0], left: [-1, 0, 0], right: [1, 0, 0],
+  top: [0, 0, 1], bottom: [0, 0, -1],
+};
+const kFieldOfView = 30;
+
+export class Viewer {
+  constructor(canvas, frame) {
+    this.canvas = canvas;
+    this.frame = frame;
+    this.scene = new Scene();
+    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer.localClippingEnabled = true;
+    this.perspective = new PerspectiveCamera(kFieldOfView, 1, 0.1, 10);
+    this.orthographic = new OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
+    for (const camera of [this.perspective, this.orthographic]) camera.up.set(0, 0, 1);
+    this.camera = this.perspective;
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener("change", () => this.invalidate());
+    this.view = "iso";  // the named view that is seen, or null
+    this.controls.addEventListener("start", () => { this.gesture = this.camera.position.clone(); });
+    this.controls.addEventListener("end", () => {
+      if (this.view && this.gesture && this.gesture.distanceTo(this.camera.position) > 1e-9) this.#setName(null);
+    });
+    this.extent = { middle: new Vector3(), radius: frame.radius };
+    this.before = [];        // called before each drawing
+    this.viewListeners = [];
+    this.frames = 0;
+    this.pending = false;
+    this.width = this.height = 1;
+    canvas.addEventListener("webglcontextrestored", () => this.invalidate());
+    this.resize();
+    this.setView("iso");
+  }
+
+  invalidate() {
+    if (this.pending) return;
+    this.pending = true;
+    requestAnimationFrame(() => {
+      this.pending = false;
+      this.render();
+    });
+  }
+
+  render() {
+    this.#setDepths();
+    for (const call of this.before) call();
+    this.renderer.render(this.scene, this.camera);
+    ++this.frames;
+  }
+
+  setGround(color) {
+    this.renderer.setClearColor(new Color(color), 1);
+    this.invalidate();
+  }
+
+  resize() {
+    const { clientWidth, clientHeight } = this.canvas.parentElement;
+    this.width = Math.max(1, clientWidth);
+    this.height = Math.max(1, clientHeight);
+    this.pixelRatio = Math.min(window.devicePixelRatio || 1, 2);
+    this.renderer.setPixelRatio(this.pixelRatio);
+    this.renderer.setSize(this.width, this.height, false);
+    this.perspective.aspect = this.width / this.height;
+    this.perspective.updateProjectionMatrix();
+    this.#setOrthographicSize();
+    // Now, not with the next frame: a canvas that was sized is blank until then.
+    if (this.frames > 0) this.render();
+  }
+
+  /// Room that panels over the canvas take is none of ours: the canvas ends where they begin.
+  #setOrthographicSize(height) {
+    if (height) this.orthographicHeight = height;
+    const h = (this.orthographicHeight ?? 1) / 2, w = h * this.width / this.height;
+    Object.assign(this.orthographic, { left: -w, right: w, top: h, bottom: -h });
+    this.orthographic.updateProjectionMatrix();
+  }
+
+  /// Near and far as close as the content allows: lines on faces need the depth.
+  #setDepths() {
+    const { middle, radius } = this.extent;
+    const forward = this.camera.getWorldDirection(new Vector3());
+    const depth = middle.clone().sub(this.camera.position).dot(forward);
+    const reach = radius * 1.3;
+    if (this.camera.isPerspectiveCamera) {
+      this.camera.far = Math.max(depth + reach, reach * 1e-2);
+      this.camera.near = Math.max(depth - reach, this.camera.far * 1e-3);
+    } else {
+      this.camera.near = depth - reach;
+      this.camera.far = depth + reach;
+    }
+    this.camera.updateProjectionMatrix();
+  }
+
+  /// Length in the scene that a pixel spans where the camera turns about.
+  lengthPerPixel() {
+    if (this.camera.isOrthographicCamera) return this.orthographicHeight / this.camera.zoom / this.height;
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    return 2 * distance * Math.tan(kFieldOfView * Math.PI / 360) / this.height;
+  }
+
+  get isOrthographic() {
+    return this.camera.isOrthographicCamera === true;
+  }
+
+  setOrthographic(on) {
+    if (on === this.isOrthographic) return;
+    const seen = this.lengthPerPixel() * this.height;
+    const from = this.camera;
+    this.camera = on ? this.orthographic : this.perspective;
+    const direction = from.position.clone().sub(this.controls.target).normalize();
+    const distance = seen / 2 / Math.tan(kFieldOfView * Math.PI / 360);
+    this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
+    this.camera.zoom = 1;
+    if (on) this.#setOrthographicSize(seen);
+    this.controls.object = this.camera;
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /// Looks from a direction at a place, so that a ball of that radius is in view.
+  lookFrom(direction, target, radius) {
+    const seen = 2.25 * radius * Math.max(1, this.height / this.width);
+    const distance = seen / 2 / Math.tan(kFieldOfView * Math.PI / 360);
+    const d = new Vector3(...direction).normalize();
+    // Straight down, the sideways direction is undefined: a hair towards the front makes it x to the right.
+    if (Math.abs(d.z) > 0.9999) d.set(0, -1e-4, Math.sign(d.z)).normalize();
+    this.controls.target.set(...target);
+    this.camera.position.copy(this.controls.target).addScaledVector(d, distance);
+    this.camera.zoom = 1;
+    this.#setOrthographicSize(seen);
+    this.controls.update();
+    this.invalidate();
+  }
+
+  setView(name) {
+    if (!kViews[name]) return;
+    this.lookFrom(kViews[name], this.extent.middle.toArray(), this.extent.radius);
+    this.#setName(name);
+  }
+
+  /// Keeps the direction, shows all.
+  fit() {
+    const direction = this.camera.position.clone().sub(this.controls.target);
+    this.lookFrom(direction.toArray(), this.extent.middle.toArray(), this.extent.radius);
+  }
+
+  /// Brings a place into view: from the side its normal points to, if it faces away.
+  focus(place, normal, radius) {
+    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
+    const n = new Vector3(...normal);
+    let turned = false;
+    if (direction.dot(n) < 0.25) {
+      turned = true;
+      direction.copy(n).multiplyScalar(1.2);
+      const side = Math.abs(n.z) > 0.9 ? new Vector3(0.4, -0.6, 0) : new Vector3(-n.y * 0.5, n.x * 0.5, 0.5);
+      direction.add(side).normalize();
+    }
+    const seen = Math.max(radius, 0.3 * this.extent.radius);
+    this.lookFrom(direction.toArray(), place, Math.min(seen, this.extent.radius));
+    if (turned) this.#setName(null);
+  }
+
+  #setName(name) {
+    this.view = name;
+    for (const call of this.viewListeners) call(name);
+  }
+
+  turn(azimuth, elevation) {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const distance = offset.length();
+    const a = Math.atan2(offset.y, offset.x) + azimuth;
+    const e = Math.min(1.5706, Math.max(-1.5706, Math.asin(offset.z / distance) + elevation));
+    offset.set(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)).multiplyScalar(distance);
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+    this.#setName(null);
+    this.invalidate();
+  }
+
+  zoom(factor) {
+    if (this.isOrthographic) {
+      this.camera.zoom *= factor;
+      this.camera.updateProjectionMatrix();
+    } else {
+      const offset = this.camera.position.clone().sub(this.controls.target).divideScalar(factor);
+      this.camera.position.copy(this.controls.target).add(offset);
+    }
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /// Pixels in the canvas, from its upper left corner, of a place in the scene; and its depth (−1 to 1).
+  project(place) {
+    this.camera.updateMatrixWorld();
+    const v = new Vector3(...place).project(this.camera);
+    return [(v.x + 1) / 2 * this.width, (1 - v.y) / 2 * this.height, v.z];
+  }
+}
