@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/check_evidence.hpp>
+#include <limpet/app/page_links.hpp>
 #include <limpet/app/progress.hpp>
 #include <limpet/app/scan_choices.hpp>
 #include <limpet/io/error.hpp>
@@ -120,15 +121,19 @@ nlohmann::ordered_json evidence_json(const Evidence& evidence) {
   return json;
 }
 
-std::string evidence_text(const Evidence& evidence, const std::string& name, bool quiet) {
+std::string evidence_text(const Evidence& evidence, const std::string& name, const std::string& page,
+                          bool quiet) {
   std::string text;
+  const auto see = [&](std::uint64_t polygon) {
+    return page.empty() ? std::string() : "; see " + page_link(page, "polygon", polygon);
+  };
   const auto say = [&](const std::string& line) { text += name + ": " + line + "\n"; };
   for (const PolygonEvidence& polygon : evidence.polygons) {
     const std::string who = "polygon " + std::to_string(polygon.id) + ": ";
-    if (polygon.unsupported) say("unsupported: " + who + disc_text(polygon.emptiest));
+    if (polygon.unsupported) say("unsupported: " + who + disc_text(polygon.emptiest) + see(polygon.id));
     if (polygon.transparent)
       say("transparent: " + who + io::grouped(polygon.rays_through) + " rays pass through it, " +
-          io::grouped(polygon.rays_on) + " end on it");
+          io::grouped(polygon.rays_on) + " end on it" + see(polygon.id));
   }
   if (quiet) return text;
   if (evidence.emptiest >= 0) {
@@ -139,7 +144,7 @@ std::string evidence_text(const Evidence& evidence, const std::string& name, boo
         " readings expected in it; the bound is " +
         io::short_text(evaluation::kSupportMargin * evidence.chance) + "), " +
         io::short_text(evidence.empty_area) + " of area beyond; the emptiest: polygon " +
-        std::to_string(worst.id) + ", " + disc_text(worst.emptiest));
+        std::to_string(worst.id) + ", " + disc_text(worst.emptiest) + see(worst.id));
   }
   say("explained: " + percent(evidence.explained_share()) + " of " + io::grouped(evidence.readings) +
       " readings are on a polygon");

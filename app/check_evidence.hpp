@@ -21,6 +21,8 @@ evaluation::Evidence judge_by_scan(const CheckArguments& args, const model::Mode
 nlohmann::ordered_json evidence_json(const evaluation::Evidence& evidence);
 
 /// A few lines for people, each begun by the model's name; with `quiet` those alone that say what is wrong.
-std::string evidence_text(const evaluation::Evidence& evidence, const std::string& name, bool quiet);
+/// Polygons are told with links into `page`, unless it is empty.
+std::string evidence_text(const evaluation::Evidence& evidence, const std::string& name,
+                          const std::string& page, bool quiet);
 
 }  // namespace limpet::app

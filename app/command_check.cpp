@@ -8,6 +8,7 @@
 #include <limpet/app/commands.hpp>
 #include <limpet/app/file_roles.hpp>
 #include <limpet/app/outputs.hpp>
+#include <limpet/app/page_links.hpp>
 #include <limpet/audit/laws.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/native.hpp>
@@ -99,8 +100,9 @@ std::string to_json(const Findings& found) {
 
 void report_laws(const CheckArguments& args, const Findings& found) {
   for (const auto& violation : found.violations) {
-    std::printf("%s: %s: %s: %s\n", args.model.c_str(), violation.law.c_str(), violation.where.c_str(),
-                violation.what.c_str());
+    const std::string link = args.page.empty() ? std::string() : page_link_to(args.page, violation.where);
+    std::printf("%s: %s: %s: %s%s%s\n", args.model.c_str(), violation.law.c_str(), violation.where.c_str(),
+                violation.what.c_str(), link.empty() ? "" : "; see ", link.c_str());
   }
   if (!args.quiet && found.violations.empty()) {
     std::printf("%s: nothing is broken (%zu laws, %s polygons, %s point segments)\n", args.model.c_str(),
@@ -128,7 +130,8 @@ int run(const CheckArguments& args) {
   if (!args.json.empty()) outputs.attempt(args.json, [&] { save_text(args.json, to_json(found)); });
   if (args.json != "-") {
     report_laws(args, found);
-    if (found.evidence) std::fputs(evidence_text(*found.evidence, args.model, args.quiet).c_str(), stdout);
+    if (found.evidence)
+      std::fputs(evidence_text(*found.evidence, args.model, args.page, args.quiet).c_str(), stdout);
   }
   outputs.require_all();
   return found.good() ? kDone : kFallsShort;

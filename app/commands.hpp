@@ -66,6 +66,7 @@ struct FollowArguments {
   std::int64_t check_every = 0;  ///< sets; 0: the final model only
   std::string record;            ///< where to record the run; empty: nowhere
   std::string replay;            ///< a recorded run to model again, instead of a scene
+  std::string page;              ///< a page of limpet view, to link to in what is said; empty: no links
   std::string json;
   bool quiet = false;
 };
@@ -95,6 +96,7 @@ struct CheckArguments {
   std::string scan{};  ///< the scan it was made of; empty: it is judged by its laws alone
   std::optional<Eigen::Vector3d> viewpoint{};  ///< of the scan, as for `limpet model`
   bool orient = false;                         ///< as for `limpet model`
+  std::string page{};                          ///< of limpet view, to link to; empty: no links
   std::string json;
   bool quiet = false;
 };

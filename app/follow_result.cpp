@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <limpet/app/arguments.hpp>
+#include <limpet/app/page_links.hpp>
 #include <limpet/io/mesh_writer.hpp>
 #include <limpet/io/text.hpp>
 #include <utility>
@@ -43,6 +44,8 @@ int save_result(const FollowArguments& args, FollowSummary summary, const model:
   summary.model.seconds = summary.seconds;
   if (!args.json.empty()) outputs.attempt(args.json, [&] { save_text(args.json, to_json(summary)); });
   if (!args.quiet) std::fprintf(args.json == "-" ? stderr : stdout, "%s", to_text(summary).c_str());
+  if (!args.quiet && !args.page.empty() && !was_interrupted)
+    std::fprintf(args.json == "-" ? stderr : stdout, "%s", links_text(args.page, summary.run, model).c_str());
   outputs.require_all();
   return judge.violations() > 0 || summary.run.ended != "complete" ? kFallsShort : kDone;
 }

@@ -190,6 +190,8 @@ void add_follow(CLI::App& root, Command& chosen) {
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
   app.add_option("--record", args->record, "Record the run there, to be replayed and drawn")
       ->type_name("RUN");
+  app.add_option("--page", args->page, "A page of limpet view: what is left open is told with links into it")
+      ->type_name("PAGE");
   app.add_option("--replay", args->replay, "Model a recorded run again, instead of following a scene")
       ->type_name("RUN");
   refuse_with_replay(app, *args);
@@ -248,6 +250,8 @@ void add_check(CLI::App& root, Command& chosen) {
   app.add_flag("--orient", args->orient, "Orient the scan by neighbours, as for limpet model")
       ->needs(scan)
       ->excludes(viewpoint);
+  app.add_option("--page", args->page, "A page of limpet view: what is found is told with links into it")
+      ->type_name("PAGE");
   app.add_option("--seed", "Taken for the sake of scripts")->check(CLI::TypeValidator<std::uint64_t>());
   add_quiet_and_json(app, args->quiet, &args->json);
 }

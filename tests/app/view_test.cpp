@@ -111,6 +111,24 @@ TEST_F(View, RefusesDamagedPagesInOneLine) {
   EXPECT_FALSE(exists("p.html"));
 }
 
+/// What is said of a run and of a model leads into a page, where it is asked for.
+TEST_F(View, SummariesLinkIntoPages) {
+  const auto followed =
+      run({"follow", "cube", "--max-sets", "60", "-o", path("m.limpet"), "--page", "a b.html"});
+  EXPECT_NE(followed.out.find("a%20b.html#edge="), std::string::npos) << followed.out;
+  EXPECT_EQ(run({"follow", "cube", "--max-sets", "60", "-o", path("m.limpet")}).out.find(".html#"),
+            std::string::npos);
+  std::string model = read(path("m.limpet"));
+  const std::size_t polygon = model.find("\npolygon ") + 9, count = model.find(' ', polygon);
+  model.replace(count + 1, model.find(' ', count + 1) - count - 1, "1");  // more readings than it says
+  write("wrong.limpet", model);
+  const auto checked = run({"check", path("wrong.limpet"), "--page", "p.html"});
+  EXPECT_EQ(checked.code, 1);
+  EXPECT_NE(checked.out.find("; see p.html#polygon=" + model.substr(polygon, count - polygon)),
+            std::string::npos)
+      << checked.out;
+}
+
 /// A run without its end is one that was killed: what there is of it is shown.
 TEST_F(View, ShowsWhatThereIsOfARunThatWasKilled) {
   require_pages();
