@@ -31,7 +31,7 @@ export function readModel(path) {
       const normal = [0, 1, 2].map((i) => n[i] - numbers[1] * u[i] - numbers[2] * v[i]);
       const length = Math.hypot(...normal);
       polygon.normal = normal.map((x) => x / length);
-    } else if (word === "initial") polygon.initial = true;
+    } else if (word === "initial") polygon.initial = polygon.count === 0;
     else if (word === "cycle") {
       const vertices = [];
       const [o, u, v, n] = polygon.chart;

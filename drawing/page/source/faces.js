@@ -2,7 +2,7 @@
 // All faces in one mesh: positions, normals and colours in few buffers, and whose triangle is whose.
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial, Color } from "three";
 import { derived } from "./geometry.js";
-import { faceColor, themeColors } from "./palette.js";
+import { faceColor, kFaceColors, knownColor, themeColors } from "./palette.js";
 
 const kVertexShader = `
   #include <clipping_planes_pars_vertex>
@@ -45,13 +45,14 @@ export class Faces {
     this.material = faceMaterial("#888888");
     this.mesh = new Mesh(new BufferGeometry(), this.material);
     this.mesh.frustumCulled = false;
-    this.colors = new Map();
+    this.chosen = new Map();  // polygon → index of its colour
     this.#reserve(256);
   }
 
   setTheme(theme) {
     this.theme = theme;
-    this.colors.clear();
+    this.palette = Array.from({ length: kFaceColors }, (_, i) => faceColor(i, theme).map((x) => Math.round(255 * x)));
+    this.known = knownColor(theme).map((x) => Math.round(255 * x));
     const { r, g, b } = new Color(themeColors(theme).back).convertLinearToSRGB();
     this.material.uniforms.back.value = { x: r, y: g, z: b };
     this.shown = null;
@@ -73,6 +74,7 @@ export class Faces {
     let at = 0, same = true;
     const before = this.shown ?? [];
     const now = [...state.polygons.values()];
+    this.#choose(state);
     let total = 0;
     for (const polygon of now) total += derived(polygon, this.frame).triangles.length / 9;
     if (total > this.capacity) {
@@ -95,7 +97,7 @@ export class Faces {
         if (firstChanged < 0) firstChanged = at;
         position.array.set(triangles, 9 * at);
         const n = polygon.normal.map((x) => Math.max(-127, Math.min(127, Math.round(127 * x))));
-        const c = this.#color(polygon);
+        const c = this.color(polygon);
         for (let k = 9 * at; k < 9 * (at + count); ++k) {
           normal.array[k] = n[k % 3];
           color.array[k] = c[k % 3];
@@ -115,11 +117,29 @@ export class Faces {
     this.mesh.geometry.setDrawRange(0, 3 * at);
   }
 
-  #color({ id, initial }) {
-    const key = initial ? -id : id;
-    let found = this.colors.get(key);
-    if (!found) this.colors.set(key, found = faceColor(id, initial, this.theme).map((x) => Math.round(255 * x)));
-    return found;
+  color({ id, initial }) {
+    return initial ? this.known : this.palette[this.chosen.get(id)];
+  }
+
+  /// A colour for each new polygon: none of its neighbours', and one that few others have. It keeps it.
+  #choose(state) {
+    const used = new Uint32Array(kFaceColors);
+    const fresh = [];
+    for (const polygon of state.polygons.values()) {
+      if (this.chosen.has(polygon.id)) ++used[this.chosen.get(polygon.id)];
+      else fresh.push(polygon);
+    }
+    for (const polygon of fresh) {
+      const weight = Float64Array.from(used);
+      for (const partner of polygon.outline.partners) {
+        const other = partner === 0 ? undefined : this.chosen.get(state.edges.get(partner)?.segment);
+        if (other !== undefined) weight[other] += 1e9;
+      }
+      let best = 0;
+      for (let i = 1; i < kFaceColors; ++i) if (weight[i] < weight[best]) best = i;
+      this.chosen.set(polygon.id, best);
+      ++used[best];
+    }
   }
 
   /// The polygon that a triangle is of.

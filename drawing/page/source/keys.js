@@ -23,7 +23,7 @@ function bindings(ui) {
         (key) => go(app.step + (key.endsWith("Left") || key === "PageUp" ? -far : far))],
       ["Home End", "first, last step", ["Home", "End"], (key) => go(key === "Home" ? 1 : app.head.steps)],
       ["[ ]", "slower, faster", ["[", "]"], (key) => player.faster(key === "[" ? -1 : 1)],
-      ["v, g", "show events, charts", ["v", "g"], (key) => bar.toggle(key === "v" ? "events" : "charts")],
+      ["v g", "show events, charts", ["v", "g"], (key) => bar.toggle(key === "v" ? "events" : "charts")],
     ]]);
     groups.push(["Next event (with shift: previous)", ui.events.rows.filter((row) => row.steps.length).map((row) =>
       [row.key, row.name, [row.key, row.key.toUpperCase()], (key) => bar.jump(row, key === row.key ? 1 : -1)])]);
@@ -84,10 +84,10 @@ export function installKeys(ui) {
     event.preventDefault();
     act(key);
   });
-  const part = (title, rows) => element("div", {}, element("h3", {}, title), element("dl", {}, ...rows.flatMap(([keys, words]) =>
-    [element("dt", {}, ...keys.split(" ").flatMap((key, i) => [i > 0 ? " " : "", element("kbd", {}, key)])),
-      element("dd", {}, words)])));
+  const caps = (keys) => keys.split(" ").flatMap((key, i) => [i > 0 ? " " : "", element("kbd", {}, key)]);
+  const part = (title, rows, show = caps) => element("div", {}, element("h3", {}, title), element("dl", {},
+    ...rows.flatMap(([keys, words]) => [element("dt", {}, ...show(keys)), element("dd", {}, words)])));
   ui.help.replaceChildren(
     element("h2", {}, "Keys and mouse", button("close", "close (Esc)", () => ui.help.close())),
-    element("div", { class: "keys" }, ...groups.map(([title, list]) => part(title, list)), part("Mouse", kMouse)));
+    element("div", { class: "keys" }, ...groups.map(([title, list]) => part(title, list)), part("Mouse", kMouse, (words) => [words])));
 }

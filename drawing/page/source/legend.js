@@ -46,7 +46,7 @@ export class Legend {
       line("path", "path so far (last 40 bold)", { color: "trail", width: 2.6 }, () => null,
         () => (run.places && app.step > 1 ? 1 : 0));
       line("targets", "targets", { ring: "target" }, () => run.targets.count);
-      line("aim", "aim, and the way to feel it", { color: "aim", width: 1.6, dash: 2 }, () => null);
+      line("aim", "aim, and how to feel it", { color: "aim", width: 1.6, dash: 2 }, () => null);
       line("way", "way", { color: "way", width: 2, dash: 1 }, () => null);
       line("current", "current edge", { color: "current", width: 6 }, () => null);
       line("slice", "current slice", { color: "slice", width: 2 }, () => null);
@@ -134,7 +134,7 @@ export class Legend {
     if (!swatch) return;
     if (swatch === "face" || swatch === "known") {
       const fill = swatch === "known" ? (theme === "dark" ? ["#4d5766"] : ["#ccd4e0"])
-        : theme === "dark" ? ["#5e7a4b", "#4b5f7a", "#7a5a4b"] : ["#cfe3b8", "#b8cbe3", "#e3c5b8"];
+        : theme === "dark" ? ["#3f5468", "#6b5a3d", "#3d5a49"] : ["#a9c4dc", "#e3cfae", "#a8d2b6"];
       fill.forEach((color, i) => {
         context.fillStyle = color;
         context.fillRect(2 + i * 22 / fill.length, 2, 22 / fill.length, 10);

@@ -10,8 +10,9 @@ import { kDashes } from "./palette.js";
 export const kMostFat = 24000;  // segments of one batch
 
 export class LineBatch {
-  /// width in pixels; dash: index of kDashes; thinOnly: never fat; through: also drawn over what is in front.
-  constructor({ width = 2, dash = 0, thinOnly = false, through = false, order = 2 } = {}) {
+  /// width in pixels; dash: index of kDashes; thinOnly: never fat; through: also drawn over what is in front; under:
+  /// leaves no depth, so that what is drawn later at the same place covers it.
+  constructor({ width = 2, dash = 0, thinOnly = false, through = false, under = false, order = 2 } = {}) {
     this.object = new Group();
     this.width = width;
     this.thinOnly = thinOnly;
@@ -22,7 +23,7 @@ export class LineBatch {
     this.dash = kDashes[dash];
     const dashed = this.dash[1] > 0;
     this.fat = new LineMaterial({ linewidth: width, dashed, dashSize: this.dash[0], gapSize: this.dash[1],
-      depthTest: !through, depthWrite: !through });
+      depthTest: !through, depthWrite: !through && !under });
     this.thin = new LineBasicMaterial({ depthTest: !through, depthWrite: !through });
     this.drawn = null;
   }

@@ -42,13 +42,16 @@ export const themeColors = (theme) => kThemes[theme];
 export const reasonColor = (code, theme) => kReasons[code][theme === "dark" ? 1 : 0];
 export const reasonDash = (code) => kReasons[code][2];
 
-/// Of a polygon, by its identity: the golden angle keeps identities that follow each other apart.
-export function faceColor(id, initial, theme) {
-  const turn = (id * 0.618033988749895) % 1;
-  const tone = ((id * 7) % 5) / 4;
-  if (initial) return theme === "dark" ? [0.3, 0.34, 0.4] : [0.8, 0.83, 0.88];
-  return theme === "dark" ? hsl(turn, 0.3, 0.3 + 0.07 * tone) : hsl(turn, 0.42, 0.76 + 0.08 * tone);
+// Hue (of a turn) and lightness (0 to 1) of faces, in an order in which those that follow each other are far apart.
+const kFaces = [[0.58, 0.5], [0.1, 0.7], [0.36, 0.3], [0.86, 0.6], [0.16, 1], [0.48, 0.9], [0.72, 0.9], [0.02, 0.2],
+  [0.27, 0.8], [0.64, 0], [0.93, 1], [0.42, 0.5]];
+export const kFaceColors = kFaces.length;
+
+export function faceColor(index, theme) {
+  const [turn, tone] = kFaces[index];
+  return theme === "dark" ? hsl(turn, 0.32, 0.27 + 0.1 * tone) : hsl(turn, 0.45, 0.74 + 0.1 * tone);
 }
+export const knownColor = (theme) => (theme === "dark" ? [0.3, 0.34, 0.4] : [0.8, 0.83, 0.88]);
 
 // Bright enough on both grounds, and apart for all kinds of sight (after Okabe and Ito).
 const kModeColors = ["#8a919c", "#56a4dd", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#b8a800", "#7a68d8"];

@@ -31,7 +31,7 @@ export class RunView {
       path: [this.path = new LineBatch({ width: 1.2 })],
       trail: [this.trail = new LineBatch({ width: 2.6, order: 3 })],
       rays: [this.rays = new LineBatch({ width: 2, order: 4 }), this.hits = new PointBatch({ size: 7, order: 5 }),
-        this.misses = new LineBatch({ width: 1, order: 4 })],
+        this.misses = new LineBatch({ width: 1, order: 4 }), this.raysBehind = new LineBatch({ width: 2, through: true, order: 4 })],
       targets: [this.targets = new PointBatch({ size: 9, ring: 0.55, through: true, order: 6 })],
       aim: [this.aim = new LineBatch({ width: 1.6, dash: 2, through: true, order: 6 }),
         this.goal = new PointBatch({ size: 13, ring: 0.6, through: true, order: 6 }),
@@ -42,8 +42,9 @@ export class RunView {
     };
     this.body = new Group();
     this.bones = new LineBatch({ width: 3, order: 4 });
-    this.control = new PointBatch({ size: 11, order: 7 });
-    this.group.add(this.body, this.bones.object, this.control.object);
+    this.control = new PointBatch({ size: 7, through: true, order: 7 });
+    this.halo = new PointBatch({ size: 19, ring: 0.76, through: true, order: 7 });  // the robot, wherever it is
+    this.group.add(this.body, this.bones.object, this.control.object, this.halo.object);
     Object.values(this.parts).flat().forEach((part) => this.group.add(part.object));
     this.hidden = new Set();
     viewer.before.push(() => {
@@ -125,6 +126,8 @@ export class RunView {
     this.misses.setColor(colors.miss);
     this.bones.setColor(colors.robot);
     this.control.setColor(colors.robot);
+    this.halo.setColor(colors.robot);
+    this.raysBehind.setOpacity(0.4);
   }
 
   show(state) {
@@ -136,7 +139,7 @@ export class RunView {
       this.trail.set(this.pathSegments.subarray(6 * from, 6 * set));
     }
     if (this.robot && this.arrays.joints) this.#showRobot(state.step, set);
-    else if (this.places) this.control.set(this.places.subarray(3 * set, 3 * set + 3));
+    else if (this.places) this.#showControl(this.places.subarray(3 * set, 3 * set + 3));
     this.#showIntent(state);
     this.#apply();
   }
@@ -160,7 +163,7 @@ export class RunView {
     this.bones.set(Float32Array.from(bones));
     const control = new Vector3(...this.robot.control_point.position)
       .applyMatrix4(poses[this.robot.control_point.link] ?? new Matrix4());
-    this.control.set(Float32Array.from(control.toArray()));
+    this.#showControl(Float32Array.from(control.toArray()));
 
     const sensors = sensorPoses(this.robot, poses);
     const rays = [], hits = [], misses = [];
@@ -181,9 +184,15 @@ export class RunView {
       misses.push(...position.toArray(), ...position.clone().addScaledVector(axis, 0.5 * length).toArray());
     });
     this.rays.set(Float32Array.from(rays));
+    this.raysBehind.set(Float32Array.from(rays));
     this.hits.set(Float32Array.from(hits));
     this.misses.set(Float32Array.from(misses));
     this.controlPlace = control.toArray();
+  }
+
+  #showControl(place) {
+    this.control.set(place);
+    this.halo.set(place);
   }
 
   #showIntent(state) {
@@ -219,7 +228,8 @@ export class RunView {
 
   #apply() {
     const shown = (name) => !this.hidden.has(name);
-    this.body.visible = this.control.object.visible = shown("robot");
+    this.body.visible = shown("robot");
+    for (const part of [this.control, this.halo]) part.object.visible = shown("robot") && part.count > 0;
     this.bones.object.visible = shown("robot") && this.bones.count > 0;
     for (const [name, parts] of Object.entries(this.parts)) {
       const on = shown(name === "trail" ? "path" : name);

@@ -43,7 +43,7 @@ export class SelectionPanel {
     if (kind === "edge" && state.edges.has(id)) this.root.replaceChildren(title, head("edge"), ...this.#edge(id));
     else if (kind === "polygon" && state.polygons.has(id)) {
       const polygon = state.polygons.get(id);
-      const [r, g, b] = app.model.faces.colors.get(polygon.initial ? -id : id) ?? [128, 128, 128];
+      const [r, g, b] = app.model.faces.color(polygon);
       this.root.replaceChildren(title, head("polygon", `rgb(${r}, ${g}, ${b})`), ...this.#polygon(polygon));
     } else if (kind !== "edge" && state.points.has(id)) {
       this.root.replaceChildren(title, head("point segment"), ...this.#point(state.points.get(id)));
@@ -104,9 +104,7 @@ export class SelectionPanel {
       }
     });
     const links = [...neighbours.keys()].sort((a, b) => a - b).slice(0, 60).flatMap((id) => [this.polygonLink(id), " "]);
-    const world = frame.toWorld([0, 0, 0]);
-    const offset = polygon.offset + normal.reduce((sum, n, i) => sum + n * app.frame.origin[i], 0);
-    void world;
+    const offset = polygon.offset + normal.reduce((sum, n, i) => sum + n * frame.origin[i], 0);
     const surface = this.#surface(polygon.id);
     return [
       polygon.initial && element("p", { class: "quiet" }, "Known beforehand; its points are readings that confirm it."),

@@ -11,11 +11,12 @@ const kNothing = new Float32Array(0);
 export class SelectionView {
   constructor(app) {
     this.app = app;
-    this.veil = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ transparent: true, opacity: 0.42, side: DoubleSide,
+    this.veil = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ transparent: true, opacity: 0.28, side: DoubleSide,
       depthWrite: false, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
     this.veil.renderOrder = 1;
     this.veil.frustumCulled = false;
-    this.near = new LineBatch({ width: 5, order: 5 });
+    // A seam about the edges, below them: what they are stays to be seen.
+    this.near = new LineBatch({ width: 9, under: true, order: 1 });
     this.far = new LineBatch({ width: 3, through: true, order: 5 });  // also where something is in front of it
     this.ends = new PointBatch({ size: 9, order: 6 });
     this.cut = new LineBatch({ width: 2.4, order: 4 });
@@ -26,7 +27,7 @@ export class SelectionView {
     const { select, cut } = themeColors(theme);
     this.veil.material.color = new Color(select);
     for (const part of [this.near, this.far, this.ends]) part.setColor(select);
-    this.far.setOpacity(0.35);
+    this.far.setOpacity(0.3);
     this.cut.setColor(cut);
   }
 

@@ -31,10 +31,10 @@ export class TimeBar {
     this.toggles = { events: toggle("events", "events", "v"), charts: toggle("charts", "charts", "g") };
     root.append(element("div", { id: "transport" },
       element("span", { class: "group" },
-        button("⏮", "first step (Home)", () => this.#go(1)),
+        button("|◂", "first step (Home)", () => this.#go(1)),
         button("◂", "step back (←)", () => this.#go(app.step - 1)), this.playButton,
         button("▸", "step on (→)", () => this.#go(app.step + 1)),
-        button("⏭", "last step (End)", () => this.#go(steps))),
+        button("▸|", "last step (End)", () => this.#go(steps))),
       this.speed, element("label", {}, "step", this.field, `of ${count(steps)}`),
       element("span", { class: "space" }),
       ...(this.kind.options.length ? [element("label", {}, "jump to", this.kind),

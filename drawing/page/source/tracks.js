@@ -2,16 +2,17 @@
 // Rows over the axis of steps: the modes as a band, a row of marks for each kind of event, charts. Drawn once for a
 // size and a theme; while time goes on only the cursor moves.
 import { button, element } from "./dom.js";
-import { area, count, duration, length, number } from "./format.js";
+import { area, count, duration, length } from "./format.js";
 import { modeColor } from "./palette.js";
 
-const kBand = 16, kEvent = 15, kChart = 34;  // heights
+const kBand = 16, kEvent = 14;  // heights
 
 export class Tracks {
   constructor(app, events, bar) {
     this.app = app;
     this.events = events;
     this.steps = app.head.steps;
+    this.chartHeight = window.innerHeight < 850 ? 26 : 40;
     this.rows = this.#makeRows();
     this.labels = element("div", { class: "labels" });
     this.values = element("div", { class: "values" });
@@ -26,7 +27,9 @@ export class Tracks {
         button("‹", `previous: ${row.label} (shift ${row.event.key})`, () => bar.jump(row.event, -1)),
         button("›", `next: ${row.label} (${row.event.key})`, () => bar.jump(row.event, 1))] : [];
       const title = row.label;
-      this.labels.append(element("div", { class: row.class, style, title }, ...jumps, element("span", {}, row.label)));
+      row.extent = row.kind === "chart" ? element("span", { class: "extent" }) : null;
+      this.labels.append(element("div", { class: row.class, style, title }, ...jumps, element("span", {}, row.label),
+        row.extent));
       row.value = element("div", { class: row.class, style });
       this.values.append(row.value);
     }
@@ -50,7 +53,7 @@ export class Tracks {
     ];
     for (const [label, names, format] of charts) {
       const series = names.map((name) => arrays[name]).filter(Boolean);
-      if (series.length) rows.push({ kind: "chart", class: "chart", height: kChart, label, series, format });
+      if (series.length) rows.push({ kind: "chart", class: "chart", height: this.chartHeight, label, series, format });
     }
     return rows;
   }
@@ -157,7 +160,7 @@ export class Tracks {
     const height = row.height - 5;
     let most = 0;
     for (const values of row.series) for (const value of values) if (value > most && value < Infinity) most = value;
-    row.most = most;
+    row.extent.textContent = `0 … ${row.format(most).replace(/ \(.*/, "")}`;
     context.fillStyle = this.colors.line;
     context.fillRect(0, top + row.height - 1, this.width, 0.5);
     if (most === 0) return;
@@ -192,16 +195,6 @@ export class Tracks {
       context.stroke();
       context.setLineDash([]);
     });
-    context.font = "10px system-ui, sans-serif";
-    context.textBaseline = "top";
-    const words = `max ${row.format(most)}`;
-    const width = context.measureText(words).width;
-    context.globalAlpha = 0.75;
-    context.fillStyle = this.colors.surface;
-    context.fillRect(2, top + 1, width + 6, 12);
-    context.globalAlpha = 1;
-    context.fillStyle = this.colors.quiet;
-    context.fillText(words, 5, top + 2);
   }
 
   show() {
@@ -228,6 +221,5 @@ export class Tracks {
       row.value.textContent = Number.isFinite(value) ? row.format(value) : "–";
       row.value.title = row.value.textContent;
     }
-    void number;
   }
 }

@@ -1,6 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 // The truth: beside the model, over it as lines, or not at all.
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Mesh, ShaderMaterial } from "three";
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Mesh, ShaderMaterial, Vector3 } from "three";
 import { LineBatch } from "./lines.js";
 import { themeColors } from "./palette.js";
 
@@ -46,19 +46,24 @@ export class TruthView {
     this.solid.setColor(color);
   }
 
-  /// "none", "over" or "beside": returns how far to the side it stands.
+  /// "none", "over" or "beside": to the right of what is seen, as it is seen then.
   set(how) {
     this.how = how;
-    const gap = how === "beside" ? this.frame.size[0] * 0.5 + 0.2 * this.frame.radius - this.low[0] : 0;
-    this.group.position.x = gap;
+    const { extent, camera } = this.viewer;
+    const right = new Vector3(1, 0, 0).transformDirection(camera.matrixWorld).setZ(0).normalize();
+    const along = (size) => Math.abs(right.x) * size[0] + Math.abs(right.y) * size[1];
+    const size = this.high.map((x, i) => x - this.low[i]);
+    const middle = this.high.map((x, i) => (x + this.low[i]) / 2);
+    const apart = (along(this.frame.size) + along(size)) / 2 + 0.15 * this.frame.radius;
+    const shift = how === "beside" ? right.multiplyScalar(apart).sub(new Vector3(middle[0], middle[1], 0)) : new Vector3();
+    this.group.position.copy(shift);
     this.group.visible = how !== "none";
     this.mesh.visible = this.solid.object.visible = how === "beside";
     this.lines.object.visible = how === "over" && this.lines.count > 0;
-    const { extent } = this.viewer;
-    extent.middle.set(how === "beside" ? (gap + this.high[0] - this.frame.size[0] / 2) / 2 : 0, 0, 0);
-    extent.radius = how === "beside"
-      ? Math.hypot(gap + this.high[0] + this.frame.size[0] / 2, this.frame.size[1], this.frame.size[2]) / 2
-      : this.frame.radius;
+    const own = { middle: middle.map((x, i) => x + shift.getComponent(i)), size };
+    extent.boxes = [{ middle: [0, 0, 0], size: this.frame.size }, ...(how === "beside" ? [own] : [])];
+    extent.middle.set(...(how === "beside" ? own.middle.map((x) => x / 2) : [0, 0, 0]));
+    extent.radius = this.frame.radius + extent.middle.length() + (how === "beside" ? Math.hypot(...size) / 4 : 0);
     this.viewer.invalidate();
   }
 }

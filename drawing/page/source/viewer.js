@@ -9,6 +9,7 @@ export const kViews = {
   top: [0, 0, 1], bottom: [0, 0, -1],
 };
 const kFieldOfView = 30;
+const kRoom = 1.16;  // about all that is shown: names and buttons lie over the margin
 
 export class Viewer {
   constructor(canvas, frame) {
@@ -29,7 +30,8 @@ export class Viewer {
     this.controls.addEventListener("end", () => {
       if (this.view && this.gesture && this.gesture.distanceTo(this.camera.position) > 1e-9) this.#setName(null);
     });
-    this.extent = { middle: new Vector3(), radius: frame.radius };
+    // What is shown: a ball about it, and the boxes it fills.
+    this.extent = { middle: new Vector3(), radius: frame.radius, boxes: [{ middle: [0, 0, 0], size: frame.size }] };
     this.before = [];        // called before each drawing
     this.viewListeners = [];
     this.frames = 0;
@@ -142,14 +144,37 @@ export class Viewer {
 
   setView(name) {
     if (!kViews[name]) return;
-    this.lookFrom(kViews[name], this.extent.middle.toArray(), this.extent.radius);
+    this.#lookAtAll(kViews[name]);
     this.#setName(name);
+  }
+
+  /// From a direction, as near as the box of all that is shown allows.
+  #lookAtAll(direction) {
+    const { middle, boxes, radius } = this.extent;
+    this.lookFrom(direction, middle.toArray(), radius);
+    this.camera.updateMatrixWorld();
+    const slope = Math.tan(kFieldOfView * Math.PI / 360), aspect = this.width / this.height;
+    const origin = middle.clone().applyMatrix4(this.camera.matrixWorldInverse);
+    let distance = 0, height = 0;
+    for (let i = 0; i < 8 * boxes.length; ++i) {
+      const box = boxes[i >> 3];
+      const corner = new Vector3(...box.size.map((x, axis) => box.middle[axis] + ((i >> axis) & 1 ? x : -x) / 2))
+        .applyMatrix4(this.camera.matrixWorldInverse).sub(origin);
+      const half = Math.max(Math.abs(corner.x) / aspect, Math.abs(corner.y)) * kRoom;
+      distance = Math.max(distance, half / slope + corner.z);
+      height = Math.max(height, 2 * half);
+    }
+    const d = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.camera.position.copy(this.controls.target).addScaledVector(d, Math.max(distance, 1e-6 * radius));
+    this.#setOrthographicSize(height || radius);
+    this.controls.update();
+    this.invalidate();
   }
 
   /// Keeps the direction, shows all.
   fit() {
     const direction = this.camera.position.clone().sub(this.controls.target);
-    this.lookFrom(direction.toArray(), this.extent.middle.toArray(), this.extent.radius);
+    this.#lookAtAll(direction.toArray());
   }
 
   /// Brings a place into view: from the side its normal points to, if it faces away.
