@@ -4,15 +4,21 @@
 
 export class VarintWriter {
   constructor() {
-    this.bytes = [];
+    this.bytes = new Uint8Array(1 << 16);
+    this.size = 0;
   }
   unsigned(value) {
     if (!(value >= 0)) throw new Error(`not unsigned: ${value}`);
+    if (this.size + 10 > this.bytes.length) {
+      const larger = new Uint8Array(2 * this.bytes.length);
+      larger.set(this.bytes);
+      this.bytes = larger;
+    }
     while (value >= 128) {
-      this.bytes.push(value % 128 + 128);
+      this.bytes[this.size++] = value % 128 + 128;
       value = Math.floor(value / 128);
     }
-    this.bytes.push(value);
+    this.bytes[this.size++] = value;
   }
   signed(value) {
     this.unsigned(zigzag(value));
@@ -79,7 +85,7 @@ export class TimelineEncoder {
   }
 
   bytes() {
-    return Uint8Array.from(this.writer.bytes);
+    return this.writer.bytes.slice(0, this.writer.size);
   }
 
   #list(items, idOf, write) {
@@ -94,6 +100,7 @@ export class TimelineEncoder {
 
   #flags(p) {
     const last = this.polygons.get(p.id);
+    if (last === p) return p.initial ? 8 : 0;
     const vertices = flat(p), old = last ? flat(last) : [];
     const outlineSame = last && last.cycles.length === p.cycles.length && vertices.length === old.length &&
       p.cycles.every((c, i) => c.hole === last.cycles[i].hole &&

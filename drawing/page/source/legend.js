@@ -45,6 +45,7 @@ export class Legend {
       line("rays", "rays of this set, met", { color: "ray", width: 2 }, () => run.rays.count);
       line("path", "path so far (last 40 bold)", { color: "trail", width: 2.6 }, () => null,
         () => (run.places && app.step > 1 ? 1 : 0));
+      line("marks", "given up", { cross: "mark" }, () => run.marks.count);
       line("targets", "targets", { ring: "target" }, () => run.targets.count);
       line("aim", "aim, and how to feel it", { color: "aim", width: 1.6, dash: 2 }, () => null);
       line("way", "way", { color: "way", width: 2, dash: 1 }, () => null);
@@ -139,6 +140,17 @@ export class Legend {
         context.fillStyle = color;
         context.fillRect(2 + i * 22 / fill.length, 2, 22 / fill.length, 10);
       });
+      return;
+    }
+    if (swatch.cross) {
+      context.strokeStyle = colors[swatch.cross];
+      context.lineWidth = 2.2;
+      context.beginPath();
+      for (const side of [-1, 1]) {
+        context.moveTo(13 - 4 * side, 3);
+        context.lineTo(13 + 4 * side, 11);
+      }
+      context.stroke();
       return;
     }
     if (swatch.dot || swatch.ring) {

@@ -32,10 +32,10 @@ export const kDashes = [[1, 0], [11, 4], [5, 3], [2, 2.5]];
 const kThemes = {
   light: { ground: "#f3f4f6", shared: "#14181d", corner: "#14181d", point: "#7a4b00", back: "#9a9da3", path: "#6a7484",
     trail: "#0b5cad", ray: "#0a8f6a", miss: "#b3bac4", robot: "#3b4654", target: "#b000c8", aim: "#b000c8", way: "#0b5cad",
-    current: "#e0a400", slice: "#008a8a", truth: "#5c6470", select: "#ff00aa", cut: "#14181d", grid: "#d4d8de" },
+    current: "#e0a400", mark: "#c00000", slice: "#008a8a", truth: "#5c6470", select: "#ff00aa", cut: "#14181d", grid: "#d4d8de" },
   dark: { ground: "#15181c", shared: "#f2f4f7", corner: "#ffffff", point: "#ffc46b", back: "#54585f", path: "#8590a2",
     trail: "#6cb6ff", ray: "#4fe0b0", miss: "#4a525e", robot: "#c6ced9", target: "#f08cff", aim: "#f08cff", way: "#6cb6ff",
-    current: "#ffd24a", slice: "#40d8d8", truth: "#98a2b0", select: "#ff4fc4", cut: "#ffffff", grid: "#2b3037" },
+    current: "#ffd24a", mark: "#ff5a5a", slice: "#40d8d8", truth: "#98a2b0", select: "#ff4fc4", cut: "#ffffff", grid: "#2b3037" },
 };
 
 export const themeColors = (theme) => kThemes[theme];

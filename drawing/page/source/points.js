@@ -17,21 +17,25 @@ const kFragmentShader = `
   uniform vec3 tint;
   uniform float opacity;
   uniform float ring;
+  uniform float cross_;
   void main() {
     #include <clipping_planes_fragment>
     float r = length(gl_PointCoord - 0.5);
     if (r > 0.5 || r < ring) discard;
+    vec2 d = abs(gl_PointCoord - 0.5);
+    if (cross_ > 0.0 && abs(d.x - d.y) > cross_) discard;
     gl_FragColor = vec4(tint, opacity);
   }`;
 
 export class PointBatch {
-  /// size: diameter in pixels; ring: share of it that is left empty inside
-  constructor({ size = 6, ring = 0, through = false, order = 3 } = {}) {
+  /// size: diameter in pixels; ring: share of it that is left empty inside; cross: half the width of its strokes, a share of the size
+  constructor({ size = 6, ring = 0, cross = 0, through = false, order = 3 } = {}) {
     this.size = size;
     this.material = new ShaderMaterial({ vertexShader: kVertexShader, fragmentShader: kFragmentShader, clipping: true,
       depthTest: !through, depthWrite: !through,
       uniforms: { size: { value: size }, tint: { value: { x: 0, y: 0, z: 0 } }, opacity: { value: 1 },
-        ring: { value: ring / 2 } } });
+        ring: { value: ring / 2 },
+        cross_: { value: cross } } });
     this.object = new Points(new BufferGeometry(), this.material);
     this.object.frustumCulled = false;
     this.object.renderOrder = order;

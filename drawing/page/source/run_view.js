@@ -3,7 +3,7 @@
 import { CapsuleGeometry, Color, Group, Matrix4, Mesh, Quaternion, ShaderMaterial, SphereGeometry, Vector3 } from "three";
 import { LineBatch } from "./lines.js";
 import { PointBatch } from "./points.js";
-import { edgeEnds } from "./geometry.js";
+import { derived, edgeEnds } from "./geometry.js";
 import { jointCount, linkPoses, sensorPoses } from "./kinematics.js";
 import { themeColors } from "./palette.js";
 
@@ -38,6 +38,7 @@ export class RunView {
         this.place = new PointBatch({ size: 6, through: true, order: 6 })],
       way: [this.way = new LineBatch({ width: 2, dash: 1, through: true, order: 6 })],
       current: [this.current = new LineBatch({ width: 6, order: 4 })],
+      marks: [this.marks = new PointBatch({ size: 13, cross: 0.11, through: true, order: 6 })],
       slice: [this.slice = new LineBatch({ width: 2, order: 5 })],
     };
     this.body = new Group();
@@ -121,7 +122,7 @@ export class RunView {
     const { r, g, b } = new Color(colors.robot).convertLinearToSRGB();
     this.material.uniforms.tint.value = { x: r, y: g, z: b };
     const of = { path: "path", trail: "trail", rays: "ray", targets: "target", aim: "aim", way: "way", current: "current",
-      slice: "slice" };
+      slice: "slice", marks: "mark" };
     for (const [name, color] of Object.entries(of)) this.parts[name].forEach((part) => part.setColor(colors[color]));
     this.misses.setColor(colors.miss);
     this.bones.setColor(colors.robot);
@@ -141,6 +142,7 @@ export class RunView {
     if (this.robot && this.arrays.joints) this.#showRobot(state.step, set);
     else if (this.places) this.#showControl(this.places.subarray(3 * set, 3 * set + 3));
     this.#showIntent(state);
+    this.#showMarks(state);
     this.#apply();
   }
 
@@ -218,6 +220,31 @@ export class RunView {
     const ends = intent.edge ? edgeEnds(state, intent.edge, this.frame) : null;
     this.current.set(Float32Array.from(ends ? ends.flat() : []));
     this.slice.set(places(intent.slice));
+  }
+
+  /// Crosses on what was given up so far, and is still there and open.
+  #showMarks(state) {
+    const { event_step: steps, event_kind: kinds, event_a: ids, event_b: what } = this.arrays;
+    const code = this.head.event_kinds.indexOf("mark");
+    this.markEvents ??= Array.from(kinds ?? [], (kind, i) => i).filter((i) => kinds[i] === code);
+    const edges = new Set(), segments = new Set();
+    for (const i of this.markEvents) if (steps[i] <= state.step) (what[i] === 0 ? segments : edges).add(ids[i]);
+    if (state.step === this.head.steps) {
+      const { unreachable_segments: s = [], unreachable_edges: u = [], unclosable_edges: c = [] } = this.head.run.marks ?? {};
+      s.forEach((id) => segments.add(id));
+      [...u, ...c].forEach((id) => edges.add(id));
+    }
+    const places = [];
+    for (const edge of edges) {
+      const ends = state.edges.get(edge)?.partner === 0 ? edgeEnds(state, edge, this.frame) : null;
+      if (ends) places.push(...ends[0].map((x, i) => (x + ends[1][i]) / 2));
+    }
+    for (const id of segments) {
+      const polygon = state.polygons.get(id), point = state.points.get(id);
+      if (polygon) places.push(...derived(polygon, this.frame).inner);
+      else if (point) places.push(...this.frame.ofModel(point.position));
+    }
+    this.marks.set(Float32Array.from(places));
   }
 
   setHidden(name, hidden) {

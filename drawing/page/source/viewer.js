@@ -9,7 +9,8 @@ export const kViews = {
   top: [0, 0, 1], bottom: [0, 0, -1],
 };
 const kFieldOfView = 30;
-const kRoom = 1.16;  // about all that is shown: names and buttons lie over the margin
+const kRoom = 1.08;   // about all that is shown
+const kToolbar = 44;  // pixels
 
 export class Viewer {
   constructor(canvas, frame) {
@@ -72,12 +73,15 @@ export class Viewer {
     this.renderer.setSize(this.width, this.height, false);
     this.perspective.aspect = this.width / this.height;
     this.perspective.updateProjectionMatrix();
+    // The toolbar covers the upper rim: what is in the middle is shown a little lower.
+    for (const camera of [this.perspective, this.orthographic]) {
+      camera.setViewOffset(this.width, this.height, 0, -kToolbar / 2, this.width, this.height);
+    }
     this.#setOrthographicSize();
     // Now, not with the next frame: a canvas that was sized is blank until then.
     if (this.frames > 0) this.render();
   }
 
-  /// Room that panels over the canvas take is none of ours: the canvas ends where they begin.
   #setOrthographicSize(height) {
     if (height) this.orthographicHeight = height;
     const h = (this.orthographicHeight ?? 1) / 2, w = h * this.width / this.height;
@@ -154,13 +158,14 @@ export class Viewer {
     this.lookFrom(direction, middle.toArray(), radius);
     this.camera.updateMatrixWorld();
     const slope = Math.tan(kFieldOfView * Math.PI / 360), aspect = this.width / this.height;
+    const room = kRoom * this.height / Math.max(this.height - kToolbar, this.height / 2);
     const origin = middle.clone().applyMatrix4(this.camera.matrixWorldInverse);
     let distance = 0, height = 0;
     for (let i = 0; i < 8 * boxes.length; ++i) {
       const box = boxes[i >> 3];
       const corner = new Vector3(...box.size.map((x, axis) => box.middle[axis] + ((i >> axis) & 1 ? x : -x) / 2))
         .applyMatrix4(this.camera.matrixWorldInverse).sub(origin);
-      const half = Math.max(Math.abs(corner.x) / aspect, Math.abs(corner.y)) * kRoom;
+      const half = Math.max(kRoom * Math.abs(corner.x) / aspect, Math.abs(corner.y) * room);
       distance = Math.max(distance, half / slope + corner.z);
       height = Math.max(height, 2 * half);
     }
