@@ -9,7 +9,7 @@ const kVertexShader = `
   varying vec3 vFace;
   varying vec3 vDirection;
   void main() {
-    vFace = color;
+    vFace = color.rgb;
     vDirection = normalMatrix * normal;
     vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
     #include <clipping_planes_vertex>
@@ -38,7 +38,7 @@ export function faceMaterial(back) {
 export class Faces {
   constructor(frame) {
     this.frame = frame;
-    this.capacity = 0;
+    this.vertexCapacity = this.indexCapacity = 0;
     this.count = 0;       // of triangles
     this.owners = [];     // polygon ids, in the order of their triangles
     this.starts = [];     // first triangle of each owner
@@ -46,7 +46,7 @@ export class Faces {
     this.mesh = new Mesh(new BufferGeometry(), this.material);
     this.mesh.frustumCulled = false;
     this.chosen = new Map();  // polygon → index of its colour
-    this.#reserve(256);
+    this.#reserve(256, 256);
   }
 
   setTheme(theme) {
@@ -58,63 +58,73 @@ export class Faces {
     this.shown = null;
   }
 
-  #reserve(triangles) {
-    if (triangles <= this.capacity) return;
-    this.capacity = Math.max(triangles, Math.ceil(this.capacity * 1.5));
+  #reserve(vertices, indices) {
+    this.vertexCapacity = Math.max(vertices, Math.ceil(this.vertexCapacity * 1.5));
+    this.indexCapacity = Math.max(indices, Math.ceil(this.indexCapacity * 1.5));
     this.mesh.geometry.dispose();
     const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(new Float32Array(9 * this.capacity), 3));
-    geometry.setAttribute("normal", new BufferAttribute(new Int8Array(9 * this.capacity), 3, true));
-    geometry.setAttribute("color", new BufferAttribute(new Uint8Array(9 * this.capacity), 3, true));
+    const n = this.vertexCapacity;
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * n), 3));
+    // Four bytes each, which graphics hardware reads at once; the fourth means nothing.
+    geometry.setAttribute("normal", new BufferAttribute(new Int8Array(4 * n), 4, true));
+    geometry.setAttribute("color", new BufferAttribute(new Uint8Array(4 * n), 4, true));
+    geometry.setIndex(new BufferAttribute(new Uint32Array(this.indexCapacity), 1));
     this.mesh.geometry = geometry;
+    this.shown = null;
   }
 
   /// Rewrites the buffers from the first polygon that is not as it was shown before.
   show(state) {
-    let at = 0, same = true;
-    const before = this.shown ?? [];
     const now = [...state.polygons.values()];
     this.#choose(state);
-    let total = 0;
-    for (const polygon of now) total += derived(polygon, this.frame).triangles.length / 9;
-    if (total > this.capacity) {
-      this.#reserve(total);
-      same = false;
+    let vertices = 0, indices = 0;
+    for (const polygon of now) {
+      vertices += polygon.outline.edges.length;
+      indices += derived(polygon, this.frame).triangles.length;
     }
-    const { position, normal, color } = this.mesh.geometry.attributes;
+    if (vertices > this.vertexCapacity || indices > this.indexCapacity) this.#reserve(vertices, indices);
+    const before = this.shown ?? [];
+    const { attributes: { position, normal, color }, index } = this.mesh.geometry;
     this.owners = [];
     this.starts = [];
-    let firstChanged = -1;
+    let vertex = 0, at = 0, firstVertex = -1, firstIndex = 0;
     now.forEach((polygon, i) => {
-      const { triangles } = derived(polygon, this.frame);
-      const count = triangles.length / 9;
+      const { scene, triangles } = derived(polygon, this.frame);
       this.owners.push(polygon.id);
-      this.starts.push(at);
+      this.starts.push(at / 3);
       const was = before[i];
-      same = same && was && was.id === polygon.id && was.outline === polygon.outline && was.normal === polygon.normal &&
-        was.initial === polygon.initial;
+      const same = firstVertex < 0 && was && was.id === polygon.id && was.outline === polygon.outline &&
+        was.normal === polygon.normal && was.initial === polygon.initial;
       if (!same) {
-        if (firstChanged < 0) firstChanged = at;
-        position.array.set(triangles, 9 * at);
-        const n = polygon.normal.map((x) => Math.max(-127, Math.min(127, Math.round(127 * x))));
-        const c = this.color(polygon);
-        for (let k = 9 * at; k < 9 * (at + count); ++k) {
-          normal.array[k] = n[k % 3];
-          color.array[k] = c[k % 3];
+        if (firstVertex < 0) [firstVertex, firstIndex] = [vertex, at];
+        position.array.set(scene, 3 * vertex);
+        for (let k = 0; k < triangles.length; ++k) index.array[at + k] = vertex + triangles[k];
+        const [nx, ny, nz] = polygon.normal;
+        const [r, g, b] = this.color(polygon);
+        for (let k = 4 * vertex; k < 4 * vertex + 4 * scene.length / 3; k += 4) {
+          normal.array[k] = 127 * nx;
+          normal.array[k + 1] = 127 * ny;
+          normal.array[k + 2] = 127 * nz;
+          color.array[k] = r;
+          color.array[k + 1] = g;
+          color.array[k + 2] = b;
+          color.array[k + 3] = 255;
         }
       }
-      at += count;
+      vertex += scene.length / 3;
+      at += triangles.length;
     });
-    if (firstChanged >= 0) {
-      for (const attribute of [position, normal, color]) {
+    if (firstVertex >= 0) {
+      for (const [attribute, size, first, last] of [[position, 3, firstVertex, vertex], [normal, 4, firstVertex, vertex],
+        [color, 4, firstVertex, vertex], [index, 1, firstIndex, at]]) {
         attribute.clearUpdateRanges();
-        attribute.addUpdateRange(9 * firstChanged, 9 * (at - firstChanged));
+        attribute.addUpdateRange(size * first, size * (last - first));
         attribute.needsUpdate = true;
       }
     }
     this.shown = now;
-    this.count = at;
-    this.mesh.geometry.setDrawRange(0, 3 * at);
+    this.count = at / 3;
+    this.mesh.geometry.setDrawRange(0, at);
   }
 
   color({ id, initial }) {

@@ -29,69 +29,95 @@ export class Frame {
 
 const cache = new WeakMap();  // outline → what was derived
 
-/// {triangles: scene positions, 9 for each; area; inner: a point well inside; indexOf: Map edge → index; next, previous:
-/// index of the vertex after and before in the cycle}
+/// Of a polygon's outline: scene (positions), triangles (indices of vertices), area, inner (a place well inside),
+/// next and previous (index of the vertex after and before in the cycle), indexOf(edge).
 export function derived(polygon, frame) {
   let found = cache.get(polygon.outline);
-  if (!found) cache.set(polygon.outline, found = derive(polygon, frame));
+  if (!found) cache.set(polygon.outline, found = new Derived(polygon, frame));
   return found;
 }
 
-function derive({ outline, normal }, frame) {
-  const { positions, edges, cycles } = outline;
-  const n = edges.length;
-  const scene = new Float64Array(3 * n);
-  for (let i = 0; i < 3 * n; ++i) scene[i] = positions[i] * frame.unit - frame.middle[i % 3];
-  const next = new Int32Array(n), previous = new Int32Array(n);
-  for (const { start, edges: { length } } of cycles) {
-    for (let i = 0; i < length; ++i) {
-      next[start + i] = start + (i + 1) % length;
-      previous[start + (i + 1) % length] = start + i;
+class Derived {
+  constructor({ outline, normal }, frame) {
+    const { positions, bounds } = outline;
+    this.edges = outline.edges;
+    this.index = null;  // of edges, made when needed
+    this.largest = 0;   // where the largest triangle is
+    const scene = this.scene = new Float64Array(positions.length);
+    const { unit, middle: [mx, my, mz] } = frame;
+    for (let i = 0; i < scene.length; i += 3) {
+      scene[i] = positions[i] * unit - mx;
+      scene[i + 1] = positions[i + 1] * unit - my;
+      scene[i + 2] = positions[i + 2] * unit - mz;
+    }
+    const order = orderOf(bounds);
+    this.next = order.next;
+    this.previous = order.previous;
+    this.triangles = triangulate(scene, bounds, normal);
+    this.area = 0;
+    let largest = -1;
+    for (let t = 0; t < this.triangles.length; t += 3) {
+      const size = triangleArea(scene, 3 * this.triangles[t], 3 * this.triangles[t + 1], 3 * this.triangles[t + 2]);
+      this.area += size;
+      if (size > largest) {
+        largest = size;
+        this.largest = t;
+      }
     }
   }
-  const indices = triangulate(scene, cycles, normal);
-  const triangles = new Float32Array(3 * indices.length);
-  let area = 0, largest = -1, inner = [0, 0, 0];
-  for (let t = 0; t < indices.length; t += 3) {
-    const [a, b, c] = [indices[t], indices[t + 1], indices[t + 2]].map((i) => scene.subarray(3 * i, 3 * i + 3));
-    triangles.set(a, 3 * t);
-    triangles.set(b, 3 * t + 3);
-    triangles.set(c, 3 * t + 6);
-    const size = triangleArea(a, b, c);
-    area += size;
-    if (size > largest) {
-      largest = size;
-      inner = [0, 1, 2].map((i) => (a[i] + b[i] + c[i]) / 3);
-    }
+
+  get inner() {
+    const [a, b, c] = [0, 1, 2].map((k) => 3 * this.triangles[this.largest + k]);
+    return [0, 1, 2].map((i) => (this.scene[a + i] + this.scene[b + i] + this.scene[c + i]) / 3);
   }
-  let indexOf = null;
-  return { scene, triangles, area, inner, next, previous, indexOf(edge) {
-    if (n < 32) return edges.indexOf(edge);
-    if (!indexOf) {
-      indexOf = new Map();
-      edges.forEach((id, i) => indexOf.set(id, i));
+
+  indexOf(edge) {
+    if (this.edges.length < 32) return this.edges.indexOf(edge);
+    if (!this.index) {
+      this.index = new Map();
+      this.edges.forEach((id, i) => this.index.set(id, i));
     }
-    return indexOf.get(edge) ?? -1;
-  } };
+    return this.index.get(edge) ?? -1;
+  }
 }
 
-function triangleArea(a, b, c) {
-  const [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-  const [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-  return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+const orders = new Map();  // of outlines of one cycle, by its length: many are of the same
+
+function orderOf(bounds) {
+  const n = bounds.at(-1).end;
+  if (bounds.length === 1 && orders.has(n)) return orders.get(n);
+  const next = new Int32Array(n), previous = new Int32Array(n);
+  for (const { start, end } of bounds) {
+    for (let i = start; i < end; ++i) {
+      const to = i + 1 < end ? i + 1 : start;
+      next[i] = to;
+      previous[to] = i;
+    }
+  }
+  if (bounds.length === 1 && n < 256) orders.set(n, { next, previous });
+  return { next, previous };
 }
+
+function triangleArea(p, a, b, c) {
+  const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
+  const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
+  const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+  return Math.sqrt(x * x + y * y + z * z) / 2;
+}
+
+const kTriangle = Uint32Array.of(0, 1, 2);
 
 /// Indices of vertices, three for each triangle, anticlockwise seen from where the normal points to.
-function triangulate(scene, cycles, normal) {
+function triangulate(scene, bounds, normal) {
   const count = scene.length / 3;
-  if (count === 3) return [0, 1, 2];
+  if (count === 3) return kTriangle;
   const [u, v] = planeAxes(normal);
   const flat = (i) => {
     const at = [0, 1, 2].map((axis) => scene[3 * i + axis] - scene[axis]);
     return new Vector2(at[0] * u[0] + at[1] * u[1] + at[2] * u[2], at[0] * v[0] + at[1] * v[1] + at[2] * v[2]);
   };
   const points = Array.from({ length: count }, (_, i) => flat(i));
-  const parts = cycles.map(({ start, edges }) => points.slice(start, start + edges.length));
+  const parts = bounds.map(({ start, end }) => points.slice(start, end));
   const indices = [];
   for (const [a, b, c] of ShapeUtils.triangulateShape(parts[0].slice(), parts.slice(1))) {
     const [p, q, r] = [points[a], points[b], points[c]];
@@ -99,7 +125,7 @@ function triangulate(scene, cycles, normal) {
     if (turn >= 0) indices.push(a, b, c);
     else indices.push(a, c, b);
   }
-  return indices;
+  return Uint32Array.from(indices);
 }
 
 /// Two unit vectors that make a right-handed frame with the normal.
@@ -119,8 +145,9 @@ const unit = (v) => {
 export function edgeEnds(state, edge, frame) {
   const polygon = state.polygons.get(state.edges.get(edge)?.segment);
   if (!polygon) return null;
-  const { scene, next, indexOf } = derived(polygon, frame);
-  const i = indexOf(edge);
+  const own = derived(polygon, frame);
+  const { scene, next } = own;
+  const i = own.indexOf(edge);
   if (i < 0) return null;
   const at = (k) => [...scene.subarray(3 * k, 3 * k + 3)];
   return [at(i), at(next[i])];

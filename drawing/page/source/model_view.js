@@ -2,7 +2,7 @@
 // The model in the scene: faces, shared edges, open edges by reason, corners, point segments.
 import { Group, Plane, Vector3 } from "three";
 import { Faces } from "./faces.js";
-import { LineBatch } from "./lines.js";
+import { kMostFat, LineBatch } from "./lines.js";
 import { PointBatch } from "./points.js";
 import { derived, findCorners } from "./geometry.js";
 import { kUnknown, reasonColor, reasonDash, themeColors } from "./palette.js";
@@ -22,8 +22,13 @@ export class ModelView {
     this.hidden = new Set();   // names of the legend's rows that are switched off
     this.stressed = null;      // the row that is stressed, the others dim
     this.clipping = null;
+    this.level = 0;            // of quality, see quality.js
     this.figures = null;       // counts and lengths, for the legend
-    viewer.before.push(() => {
+    viewer.before.push((level) => {
+      if (level !== this.level) {
+        this.level = level;
+        this.#apply(false);
+      }
       const perLength = 1 / viewer.lengthPerPixel();
       for (const batch of this.open.values()) batch.setPixels(perLength);
     });
@@ -135,20 +140,21 @@ export class ModelView {
     return this.isShown("open") && this.isShown(`reason ${code}`);
   }
 
-  #apply() {
+  #apply(draw = true) {
+    const few = (batch, level) => this.level < level || batch.count < kMostFat;
     const dims = (...names) => (this.stressed && !names.includes(this.stressed) ? 0.12 : 1);
     this.faces.mesh.visible = this.isShown("polygons");
-    this.shared.object.visible = this.isShown("shared") && this.shared.count > 0;
+    this.shared.object.visible = this.isShown("shared") && this.shared.count > 0 && few(this.shared, 3);
     this.shared.setOpacity(dims("shared"));
     for (const [code, batch] of this.open) {
-      batch.object.visible = this.isOpenShown(code) && batch.count > 0;
+      batch.object.visible = this.isOpenShown(code) && batch.count > 0 && few(batch, 3);
       batch.setOpacity(dims("open", `reason ${code}`));
     }
-    this.corners.object.visible = this.isShown("corners") && this.corners.count > 0;
+    this.corners.object.visible = this.isShown("corners") && this.corners.count > 0 && few(this.corners, 2);
     this.corners.setOpacity(dims("corners"));
-    this.points.object.visible = this.isShown("points") && this.points.count > 0;
+    this.points.object.visible = this.isShown("points") && this.points.count > 0 && few(this.points, 2);
     this.points.setOpacity(dims("points"));
-    this.viewer.invalidate();
+    if (draw) this.viewer.invalidate();
   }
 
   /// A section: what lies on the plane's negative side is not drawn. null: none.

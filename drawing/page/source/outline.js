@@ -2,8 +2,27 @@
 // An outline: the boundary cycles of a polygon, as the timeline stream writes them. Immutable once read.
 import { unzigzag } from "./varint.js";
 
-export const kNoOutline = { edges: new Float64Array(0), partners: new Float64Array(0),
-  positions: new Float64Array(0), cycles: [] };
+/// edges, partners, positions: of all cycles one after the other; bounds: {hole, start, end} of each cycle.
+class Outline {
+  constructor(edges, partners, positions, bounds) {
+    this.edges = edges;
+    this.partners = partners;
+    this.positions = positions;
+    this.bounds = bounds;
+  }
+  get cycles() {
+    return this.bounds.map(({ hole, start, end }) => ({
+      hole, start,
+      edges: this.edges.subarray(start, end),
+      partners: this.partners.subarray(start, end),
+      positions: this.positions.subarray(3 * start, 3 * end),
+    }));
+  }
+}
+
+export const kNoOutline = new Outline(new Float64Array(0), new Float64Array(0), new Float64Array(0), []);
+
+const kNothing = new Uint8Array(0);
 
 // Where an outline is read to, before its size is known.
 let capacity = 1024;
@@ -27,7 +46,7 @@ function grow(size) {
 /// copied, and dropped(edge) for each of `last` that was not.
 export function readOutline(reader, last, written, dropped) {
   const cycles = [];
-  const copied = new Uint8Array(last.edges.length);
+  const copied = last === kNoOutline ? kNothing : new Uint8Array(last.edges.length);
   let lastIndex = null;  // of edge identities, made when needed
   const indexInLast = (edge) => {
     if (last.edges.length < 24) return last.edges.indexOf(edge);
@@ -76,17 +95,6 @@ export function readOutline(reader, last, written, dropped) {
     cycles.push({ hole, start, end: n });
   }
   for (let i = 0; i < copied.length; ++i) if (!copied[i]) dropped(last.edges[i]);
-  return makeOutline(edges.slice(0, n), partners.slice(0, n), positions.slice(0, 3 * n), cycles);
+  return new Outline(edges.slice(0, n), partners.slice(0, n), positions.slice(0, 3 * n), cycles);
 }
 
-function makeOutline(edges, partners, positions, cycles) {
-  return {
-    edges, partners, positions,
-    cycles: cycles.map(({ hole, start, end }) => ({
-      hole, start,
-      edges: edges.subarray(start, end),
-      partners: partners.subarray(start, end),
-      positions: positions.subarray(3 * start, 3 * end),
-    })),
-  };
-}

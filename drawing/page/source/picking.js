@@ -29,13 +29,15 @@ export class Picker {
     const { faces } = this.model;
     if (!this.model.isShown("polygons")) return null;
     const p = faces.mesh.geometry.attributes.position.array;
+    const index = faces.mesh.geometry.index.array;
     const { x: ox, y: oy, z: oz } = origin, { x: dx, y: dy, z: dz } = direction;
     let nearest = most, triangle = -1;
     const place = new Vector3();
-    for (let t = 0, k = 0; t < faces.count; ++t, k += 9) {
-      const ax = p[k], ay = p[k + 1], az = p[k + 2];
-      const ux = p[k + 3] - ax, uy = p[k + 4] - ay, uz = p[k + 5] - az;
-      const vx = p[k + 6] - ax, vy = p[k + 7] - ay, vz = p[k + 8] - az;
+    for (let t = 0; t < faces.count; ++t) {
+      const i = 3 * index[3 * t], j = 3 * index[3 * t + 1], k = 3 * index[3 * t + 2];
+      const ax = p[i], ay = p[i + 1], az = p[i + 2];
+      const ux = p[j] - ax, uy = p[j + 1] - ay, uz = p[j + 2] - az;
+      const vx = p[k] - ax, vy = p[k + 1] - ay, vz = p[k + 2] - az;
       const hx = dy * vz - dz * vy, hy = dz * vx - dx * vz, hz = dx * vy - dy * vx;
       const det = ux * hx + uy * hy + uz * hz;
       if (det === 0) continue;

@@ -6,14 +6,14 @@ import { themeColors } from "./palette.js";
 /// A PNG, as a Blob.
 export function takePicture(app, rulers) {
   const { viewer, theme } = app;
-  viewer.render();  // in the same task as it is copied: the drawing buffer is not kept
+  viewer.render({ level: 0, scale: 2 / viewer.pixelRatio });  // in the same task as it is copied: the drawing buffer is not kept
   const source = viewer.canvas;
   const canvas = document.createElement("canvas");
   canvas.width = source.width;
   canvas.height = source.height;
   const context = canvas.getContext("2d");
   context.drawImage(source, 0, 0);
-  const ratio = viewer.pixelRatio;
+  const ratio = viewer.renderer.getPixelRatio();
   context.scale(ratio, ratio);
   const colors = themeColors(theme);
   const height = source.height / ratio, width = source.width / ratio;

@@ -39,6 +39,9 @@ export class PointBatch {
     this.object = new Points(new BufferGeometry(), this.material);
     this.object.frustumCulled = false;
     this.object.renderOrder = order;
+    this.object.onBeforeRender = (renderer) => {
+      this.material.uniforms.size.value = this.size * renderer.getPixelRatio();
+    };
     this.capacity = 0;
     this.count = 0;
     this.object.visible = false;
@@ -53,9 +56,6 @@ export class PointBatch {
   }
   setClipping(planes) {
     this.material.clippingPlanes = planes;
-  }
-  setPixelRatio(ratio) {
-    this.material.uniforms.size.value = this.size * ratio;
   }
   set(positions, count = positions.length / 3) {
     if (count > this.capacity) {

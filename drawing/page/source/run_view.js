@@ -28,10 +28,10 @@ export class RunView {
     this.material = new ShaderMaterial({ vertexShader: kVertexShader, fragmentShader: kFragmentShader,
       uniforms: { tint: { value: { x: 0, y: 0, z: 0 } } } });
     this.parts = {
-      path: [this.path = new LineBatch({ width: 1.2 })],
+      path: [this.path = new LineBatch({ thinOnly: true })],
       trail: [this.trail = new LineBatch({ width: 2.6, order: 3 })],
       rays: [this.rays = new LineBatch({ width: 2, order: 4 }), this.hits = new PointBatch({ size: 7, order: 5 }),
-        this.misses = new LineBatch({ width: 1, order: 4 }), this.raysBehind = new LineBatch({ width: 2, through: true, order: 4 })],
+        this.misses = new LineBatch({ thinOnly: true, order: 4 }), this.raysBehind = new LineBatch({ width: 2, through: true, order: 4 })],
       targets: [this.targets = new PointBatch({ size: 9, ring: 0.55, through: true, order: 6 })],
       aim: [this.aim = new LineBatch({ width: 1.6, dash: 2, through: true, order: 6 }),
         this.goal = new PointBatch({ size: 13, ring: 0.6, through: true, order: 6 }),

@@ -36,13 +36,14 @@ export class SelectionView {
     let lines = kNothing, triangles = null, ends = kNothing;
     const polygon = state.polygons.get(selection?.polygon);
     if (polygon) {
-      const { scene, next, triangles: faces } = derived(polygon, frame);
+      const { scene, next, triangles: indices } = derived(polygon, frame);
       lines = new Float32Array(6 * next.length);
       next.forEach((to, i) => {
         lines.set(scene.subarray(3 * i, 3 * i + 3), 6 * i);
         lines.set(scene.subarray(3 * to, 3 * to + 3), 6 * i + 3);
       });
-      triangles = faces;
+      triangles = new Float32Array(3 * indices.length);
+      indices.forEach((k, i) => triangles.set(scene.subarray(3 * k, 3 * k + 3), 3 * i));
     } else if (selection?.edge !== undefined && state.edges.has(selection.edge)) {
       lines = Float32Array.from(edgeEnds(state, selection.edge, frame).flat());
       ends = lines;
@@ -76,19 +77,18 @@ export class SelectionView {
       return;
     }
     const { normal, constant } = model.section;
-    const p = model.faces.mesh.geometry.attributes.position.array;
+    const { attributes: { position: { array: p } }, index: { array: index } } = model.faces.mesh.geometry;
     const lines = [];
     const side = (k) => normal.x * p[k] + normal.y * p[k + 1] + normal.z * p[k + 2] + constant;
-    for (let t = 0, k = 0; t < model.faces.count; ++t, k += 9) {
-      const s = [side(k), side(k + 3), side(k + 6)];
+    for (let t = 0; t < model.faces.count; ++t) {
+      const at = [3 * index[3 * t], 3 * index[3 * t + 1], 3 * index[3 * t + 2]];
+      const s = at.map(side);
       if ((s[0] > 0) === (s[1] > 0) && (s[1] > 0) === (s[2] > 0)) continue;
       for (let i = 0; i < 3; ++i) {
         const j = (i + 1) % 3;
         if ((s[i] > 0) === (s[j] > 0)) continue;
         const share = s[i] / (s[i] - s[j]);
-        for (let axis = 0; axis < 3; ++axis) {
-          lines.push(p[k + 3 * i + axis] + share * (p[k + 3 * j + axis] - p[k + 3 * i + axis]));
-        }
+        for (let axis = 0; axis < 3; ++axis) lines.push(p[at[i] + axis] + share * (p[at[j] + axis] - p[at[i] + axis]));
       }
     }
     this.cut.set(Float32Array.from(lines));

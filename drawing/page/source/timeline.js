@@ -9,6 +9,15 @@ const kNotKnown = 17;                                        // code of a refusa
 const kMostSnapshots = 512;
 const kMostEntries = 3e6;  // of all snapshots' maps
 
+class Polygon {
+  constructor(id, count, rms, normal, offset, outline, initial, born, changed) {
+    Object.assign(this, { id, count, rms, normal, offset, outline, initial, born, changed });
+  }
+  get cycles() {
+    return this.outline.cycles;
+  }
+}
+
 /// What seek() returns is alive: the next seek() changes its maps. The records in them never change.
 ///   polygons: id → {id, count, rms, initial, normal, offset, outline, cycles, born, changed}
 ///   points:   id → {id, count, position, born, changed}
@@ -94,7 +103,7 @@ export class Timeline {
     const { polygons, points, edges, refusals } = state;
     const step = ++state.step;
     const gone = [];     // pairs: edge, segment it was of
-    const touched = new Set();
+    const touched = new Set();  // edges that their polygon had before and wrote anew
 
     let id = 0;
     for (let n = reader.unsigned(); n > 0; --n) {
@@ -118,8 +127,9 @@ export class Timeline {
     for (let n = reader.unsigned(); n > 0; --n) {
       id += reader.unsigned();
       const segment = id;
-      const polygon = this.#readPolygon(segment, polygons.get(segment), step, (edge, partner) => {
-        touched.add(edge);
+      const last = polygons.get(segment);
+      const polygon = this.#readPolygon(segment, last, step, (edge, partner) => {
+        if (last) touched.add(edge);
         const was = edges.get(edge);
         if (!was) edges.set(edge, { segment, partner, born: step, since: step });
         else if (was.segment !== segment || was.partner !== partner) {
@@ -168,7 +178,6 @@ export class Timeline {
       offset = reader.signed() / 16 * this.unit;
     }
     if (flags & kOutline) outline = readOutline(reader, outline, written, dropped);
-    return { id, count, rms, normal, offset, outline, cycles: outline.cycles, initial: (flags & kInitial) !== 0,
-      born: last?.born ?? step, changed: step };
+    return new Polygon(id, count, rms, normal, offset, outline, (flags & kInitial) !== 0, last?.born ?? step, step);
   }
 }

@@ -2,6 +2,7 @@
 // The canvas: scene, cameras, named views; drawn on demand, never in an idle loop.
 import { Color, OrthographicCamera, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Quality } from "./quality.js";
 
 // Directions from the middle towards the camera; z is up.
 export const kViews = {
@@ -10,6 +11,7 @@ export const kViews = {
 };
 const kFieldOfView = 30;
 const kRoom = 1.08;   // about all that is shown
+const kPixel = new Uint8Array(4);
 const kToolbar = 44;  // pixels
 
 export class Viewer {
@@ -17,7 +19,8 @@ export class Viewer {
     this.canvas = canvas;
     this.frame = frame;
     this.scene = new Scene();
-    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.quality = new Quality();
+    this.renderer = new WebGLRenderer({ canvas, antialias: this.quality.antialias });
     this.renderer.localClippingEnabled = true;
     this.perspective = new PerspectiveCamera(kFieldOfView, 1, 0.1, 10);
     this.orthographic = new OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
@@ -33,7 +36,7 @@ export class Viewer {
     });
     // What is shown: a ball about it, and the boxes it fills.
     this.extent = { middle: new Vector3(), radius: frame.radius, boxes: [{ middle: [0, 0, 0], size: frame.size }] };
-    this.before = [];        // called before each drawing
+    this.before = [];        // called before each drawing, with the level of quality
     this.viewListeners = [];
     this.frames = 0;
     this.pending = false;
@@ -46,17 +49,32 @@ export class Viewer {
   invalidate() {
     if (this.pending) return;
     this.pending = true;
-    requestAnimationFrame(() => {
+    requestAnimationFrame((now) => {
       this.pending = false;
-      this.render();
+      this.render(this.quality.forFrame(now));
+      if (!this.quality.software) return;
+      clearTimeout(this.resting);
+      this.resting = setTimeout(() => {
+        const fine = this.quality.whenResting(this.pixelRatio, this.drawn);
+        if (fine) this.render(fine);
+      }, this.quality.rest);
     });
   }
 
-  render() {
+  render(how = { level: 0, scale: 1 }) {
+    const begin = performance.now();
+    const ratio = this.pixelRatio * how.scale;
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
     this.#setDepths();
-    for (const call of this.before) call();
+    for (const call of this.before) call(how.level);
     this.renderer.render(this.scene, this.camera);
     ++this.frames;
+    this.drawn = how;
+    if (!this.quality.software || how.scale > 1) return;
+    // Waits until it is drawn: else frames queue up, and the picture lags behind the hand.
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, kPixel);
+    this.quality.took(performance.now() - begin, how);
   }
 
   setGround(color) {
