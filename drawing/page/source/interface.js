@@ -30,7 +30,8 @@ export function testInterface(started, failed) {
       stats: () => ({ step: app.step, frames: viewer.frames, triangles: app.model.faces.count, edges: app.model.edgeCount,
         corners: app.model.corners.count, points: app.model.points.count, polygons: app.state.polygons.size,
         view: viewer.view, theme: app.theme, orthographic: viewer.isOrthographic,
-        calls: viewer.renderer.info.render.calls, snapshots: app.timeline.snapshots.length }),
+        calls: viewer.renderer.info.render.calls, software: viewer.quality.software, level: viewer.quality.level, cost: viewer.quality.cost,
+        snapshots: app.timeline.snapshots.length }),
       render: () => viewer.render(),
       camera: () => viewer.camera.position.toArray(),
     });

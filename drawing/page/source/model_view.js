@@ -50,7 +50,9 @@ export class ModelView {
     this.state = state;
     this.faces.show(state);
     this.#showEdges(state);
-    this.corners.set(findCorners(state, this.frame));
+    const corners = findCorners(state, this.frame);
+    this.corners.size = corners.length > 3 * 1500 ? 3.5 : 7;  // many would hide what they are corners of
+    this.corners.set(corners);
     const places = new Float32Array(3 * state.points.size);
     this.pointIds = [];
     for (const point of state.points.values()) {

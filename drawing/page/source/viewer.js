@@ -11,7 +11,6 @@ export const kViews = {
 };
 const kFieldOfView = 30;
 const kRoom = 1.08;   // about all that is shown
-const kPixel = new Uint8Array(4);
 const kToolbar = 44;  // pixels
 
 export class Viewer {
@@ -47,22 +46,48 @@ export class Viewer {
   }
 
   invalidate() {
+    this.asked = true;
     if (this.pending) return;
     this.pending = true;
-    requestAnimationFrame((now) => {
+    requestAnimationFrame((now) => this.#frame(now));
+  }
+
+  async #frame(now) {
+    if (!this.quality.software) {
       this.pending = false;
-      this.render(this.quality.forFrame(now));
-      if (!this.quality.software) return;
-      clearTimeout(this.resting);
-      this.resting = setTimeout(() => {
-        const fine = this.quality.whenResting(this.pixelRatio, this.drawn);
-        if (fine) this.render(fine);
-      }, this.quality.rest);
-    });
+      this.render();
+      return;
+    }
+    clearTimeout(this.resting);
+    // The next frame waits until this one is drawn: else they queue up, and the picture lags behind the hand.
+    const how = this.quality.forFrame(now);
+    this.asked = false;
+    const begin = performance.now();
+    this.render(how);
+    await this.#drawn();
+    this.quality.took(performance.now() - begin, how);
+    this.pending = false;
+    this.resting = setTimeout(() => {
+      const fine = this.quality.whenResting(this.pixelRatio, this.drawn);
+      if (fine && !this.pending) this.render(fine);
+    }, this.quality.rest);
+    if (this.asked) this.invalidate();
+  }
+
+  /// Until the graphics process has drawn all that it was told to.
+  async #drawn() {
+    const gl = this.renderer.getContext();
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!fence) return;
+    gl.flush();
+    for (let tries = 0; tries < 2000; ++tries) {
+      await new Promise((resolve) => setTimeout(resolve, 2));
+      if (gl.isContextLost() || gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED) break;
+    }
+    gl.deleteSync(fence);
   }
 
   render(how = { level: 0, scale: 1 }) {
-    const begin = performance.now();
     const ratio = this.pixelRatio * how.scale;
     if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
     this.#setDepths();
@@ -70,11 +95,6 @@ export class Viewer {
     this.renderer.render(this.scene, this.camera);
     ++this.frames;
     this.drawn = how;
-    if (!this.quality.software || how.scale > 1) return;
-    // Waits until it is drawn: else frames queue up, and the picture lags behind the hand.
-    const gl = this.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, kPixel);
-    this.quality.took(performance.now() - begin, how);
   }
 
   setGround(color) {
