@@ -32,7 +32,7 @@ export function testInterface(started, failed) {
         view: viewer.view, theme: app.theme, orthographic: viewer.isOrthographic,
         calls: viewer.renderer.info.render.calls, software: viewer.quality.software, level: viewer.quality.level, cost: viewer.quality.cost,
         snapshots: app.timeline.snapshots.length }),
-      render: () => viewer.render(),
+      render: (how) => viewer.render(how),
       camera: () => viewer.camera.position.toArray(),
     });
     return page;

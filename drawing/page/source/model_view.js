@@ -29,8 +29,6 @@ export class ModelView {
         this.level = level;
         this.#apply(false);
       }
-      const perLength = 1 / viewer.lengthPerPixel();
-      for (const batch of this.open.values()) batch.setPixels(perLength);
     });
   }
 

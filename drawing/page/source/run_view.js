@@ -48,11 +48,6 @@ export class RunView {
     this.group.add(this.body, this.bones.object, this.control.object, this.halo.object);
     Object.values(this.parts).flat().forEach((part) => this.group.add(part.object));
     this.hidden = new Set();
-    viewer.before.push(() => {
-      const perLength = 1 / viewer.lengthPerPixel();
-      this.aim.setPixels(perLength);
-      this.way.setPixels(perLength);
-    });
     if (this.arrays.path) this.#makePath();
     if (this.robot) this.#makeBody();
     this.#makeReadings();

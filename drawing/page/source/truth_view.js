@@ -33,7 +33,6 @@ export class TruthView {
     this.lines.set(ends);
     this.solid.set(ends);
     this.group.add(this.mesh, this.lines.object, this.solid.object);
-    viewer.before.push(() => this.lines.setPixels(1 / viewer.lengthPerPixel()));
     this.set("none");
   }
 
