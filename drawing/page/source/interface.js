@@ -1,5 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 // window.limpet: what tests and scripts may ask of the page.
+import { derived, edgeEnds } from "./geometry.js";
 import { selectionOf } from "./pointer.js";
 
 export function testInterface(started, failed) {
@@ -7,6 +8,7 @@ export function testInterface(started, failed) {
   page.ready = started.then(({ app, ui }) => {
     const { viewer, frame } = app;
     Object.assign(page, {
+      head: app.head,
       timeline: app.timeline,
       state: () => app.state,
       seek: (step) => app.seek(step),
@@ -22,9 +24,16 @@ export function testInterface(started, failed) {
       },
       /// Pixels of the window where a place of the world is drawn.
       project: (world) => {
+        viewer.prepare();
         const [x, y] = viewer.project(frame.ofWorld(world));
         const { left, top } = viewer.canvas.getBoundingClientRect();
         return [left + x, top + y];
+      },
+      /// A place in the world: well inside a polygon, or the middle of an edge.
+      placeOf: ({ polygon, edge }) => {
+        if (polygon !== undefined) return frame.toWorld(derived(app.state.polygons.get(polygon), frame).inner);
+        const [a, b] = edgeEnds(app.state, edge, frame);
+        return frame.toWorld(a.map((x, i) => (x + b[i]) / 2));
       },
       setView: (name) => viewer.setView(name),
       stats: () => ({ step: app.step, frames: viewer.frames, triangles: app.model.faces.count, edges: app.model.edgeCount,
@@ -33,7 +42,7 @@ export function testInterface(started, failed) {
         calls: viewer.renderer.info.render.calls, software: viewer.quality.software, level: viewer.quality.level, cost: viewer.quality.cost,
         snapshots: app.timeline.snapshots.length }),
       render: (how) => viewer.render(how),
-      camera: () => viewer.camera.position.toArray(),
+      camera: () => frame.toWorld(viewer.camera.position.toArray()),
     });
     return page;
   });

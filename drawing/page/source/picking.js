@@ -12,7 +12,7 @@ export class Picker {
 
   /// {edge, place} or {polygon, place} or {point, place} or null; x, y in pixels of the canvas.
   pick(x, y) {
-    this.viewer.camera.updateMatrixWorld();
+    this.viewer.prepare();
     return this.#point(x, y) ?? this.#edge(x, y) ?? this.#face(this.#ray(x, y));
   }
 

@@ -265,9 +265,14 @@ export class Viewer {
     this.invalidate();
   }
 
-  /// Pixels in the canvas, from its upper left corner, of a place in the scene; and its depth (−1 to 1).
-  project(place) {
+  /// Makes the camera's matrices what they would be if it were drawn now.
+  prepare() {
     this.camera.updateMatrixWorld();
+    this.#setDepths();
+  }
+
+  /// Pixels in the canvas, from its upper left corner, after prepare(), of a place in the scene; and its depth (−1 to 1).
+  project(place) {
     const v = new Vector3(...place).project(this.camera);
     return [(v.x + 1) / 2 * this.width, (1 - v.y) / 2 * this.height, v.z];
   }
