@@ -290,9 +290,14 @@ test("pictures are as they were", async () => {
     await page.addStyleTag({ content: "#overlay, #time { display: none !important; }" });
     await page.keyboard.press("h");
     await page.evaluate(() => limpet.setView("iso"));
-    await page.waitForTimeout(100);
-    await page.evaluate(() => limpet.render({ level: 0, scale: 2 }));
-    const picture = (await page.locator("#view").screenshot()).toString("base64");
+    // Until two pictures are the same: the page rests, and draws finely, some time after the last change.
+    let picture = null;
+    for (let tries = 0, last = null; tries < 12 && (picture === null || picture !== last); ++tries) {
+      await page.waitForTimeout(300);
+      await page.evaluate(() => limpet.render({ level: 0, scale: 2 }));
+      last = picture;
+      picture = (await page.locator("#view").screenshot()).toString("base64");
+    }
     const path = `${references}${name}.png`;
     if (process.env.UPDATE || !existsSync(path)) {
       mkdirSync(references, { recursive: true });

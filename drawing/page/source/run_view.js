@@ -37,7 +37,7 @@ export class RunView {
         this.goal = new PointBatch({ size: 13, ring: 0.6, through: true, order: 6 }),
         this.place = new PointBatch({ size: 6, through: true, order: 6 })],
       way: [this.way = new LineBatch({ width: 2, dash: 1, through: true, order: 6 })],
-      current: [this.current = new LineBatch({ width: 6, order: 4 })],
+      current: [this.current = new LineBatch({ width: 11, under: true, order: 0.5 })],
       marks: [this.marks = new PointBatch({ size: 13, cross: 0.11, through: true, order: 6 })],
       slice: [this.slice = new LineBatch({ width: 2, order: 5 })],
     };
