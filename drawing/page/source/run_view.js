@@ -7,6 +7,7 @@ import { derived, edgeEnds } from "./geometry.js";
 import { jointCount, linkPoses, sensorPoses } from "./kinematics.js";
 import { themeColors } from "./palette.js";
 
+const kMostPath = 12000;
 const kTrail = 40;  // the last sets of the path, that stand out
 
 // Lit from the camera, like the faces; three's own lit materials would weigh more than they are worth here.
@@ -59,8 +60,16 @@ export class RunView {
     for (let i = 0; i < path.length; ++i) this.places[i] = path[i] - this.frame.middle[i % 3];
     const segments = new Float32Array(Math.max(0, 2 * (path.length - 3)));
     for (let i = 0; i + 3 < path.length; i += 3) segments.set(this.places.subarray(i, i + 6), 2 * i);
-    this.path.set(segments);
     this.pathSegments = segments;
+    // Of very long runs every k-th place suffices; the last ones are exact all the same.
+    this.stride = Math.ceil(this.sets / kMostPath);
+    const coarse = new Float32Array(6 * Math.floor((this.sets - 1) / this.stride));
+    for (let i = 0; i < coarse.length / 6; ++i) {
+      for (const [end, set] of [[0, i * this.stride], [3, (i + 1) * this.stride]]) {
+        coarse.set(this.places.subarray(3 * set, 3 * set + 3), 6 * i + end);
+      }
+    }
+    this.path.set(coarse);
   }
 
   #makeBody() {
@@ -130,8 +139,8 @@ export class RunView {
     const set = this.set(state.step);
     if (set < 0) return;
     if (this.places) {
-      this.path.limit(set);
-      const from = Math.max(0, set - kTrail);
+      this.path.limit(Math.floor(set / this.stride));
+      const from = Math.max(0, Math.min(set - kTrail, Math.floor(set / this.stride) * this.stride));
       this.trail.set(this.pathSegments.subarray(6 * from, 6 * set));
     }
     if (this.robot && this.arrays.joints) this.#showRobot(state.step, set);

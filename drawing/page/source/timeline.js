@@ -29,7 +29,8 @@ export class Timeline {
     this.unit = head.unit;
     this.hasIntent = head.kind === "run" && head.run?.intent === true;
     this.bytes = arrays.timeline;
-    this.spacing = 32;
+    this.spacing = 32;  // steps from one snapshot to the next: a power of two
+    while (this.spacing * kMostSnapshots / 2 < head.steps) this.spacing *= 2;
     this.snapshots = [];
     this.entries = 0;
     this.indexed = 0;  // last step that was ever decoded
