@@ -23,6 +23,17 @@ for (let x = -1; x <= 1; ++x) for (let y = -1; y <= 1; ++y) for (let z = -1; z <
   if (n > 0) kPointRobot.sensors.push({ link: 3, position: [0, 0, 0], axis: [x / n, y / n, z / n], range: 0.2 });
 }
 
+/// An arm of three revolute joints with two sensors at its end.
+export const kArm = {
+  name: "arm",
+  links: [[[0, 0, 1], [0, 0, 0]], [[0, 1, 0], [0, 0, 0.4]], [[0, 1, 0], [0, 0, 0.8]]].map(([axis, at], i) => ({
+    name: `link${i}`, parent: i - 1, kind: "revolute", axis, low: -3, high: 3,
+    mounting: [1, 0, 0, 0, 1, 0, 0, 0, 1, ...(i === 0 ? [-0.35, -0.35, 0] : at)],
+    capsules: [{ a: [0, 0, 0], b: [0, 0, i === 0 ? 0.4 : 0.8 - 0.2 * (i - 1)], radius: 0.08 - 0.02 * i }] })),
+  control_point: { link: 2, position: [0, 0, 0.7] },
+  sensors: [[0, 0, 1], [0.6, 0, 0.8]].map((axis) => ({ link: 2, position: [0, 0, 0.6], axis, range: 0.4 })),
+};
+
 /// Random numbers that a seed repeats (mulberry32).
 export function random(seed) {
   return () => {
@@ -160,7 +171,11 @@ export function toy({ steps = 60, name = "toy.run", finished = true, robot = tru
     box: { low: [-0.4, -0.4, 0], high: [1.4, 1.4, 1.1] }, modes: kModes, truth: { name: "cube" },
     run: { strategy: "frontier", ended: "complete", seed: 1, sets, reasons_every: 1, intent: true,
       marks: { unreachable_segments: [], unreachable_edges: [103], unclosable_edges: [] } } };
-  if (robot) head.robot = kPointRobot;
+  if (robot === "arm") {
+    head.robot = kArm;
+    joints.forEach((_, i) => { joints[i] = [0.8, 0.3, 0.9][i % 3] + 0.3 * Math.sin(i / 9); });
+    sensor.forEach((s, i) => { sensor[i] = s % 2; });
+  } else if (robot) head.robot = kPointRobot;
   return container(head, { timeline: encoder.bytes(), ...record.arrays(), ...truthCube(),
     mode: Uint8Array.from(mode), clearance: Float32Array.from(clearance), time_us: Float32Array.from(time),
     path: Float32Array.from(path), joints: Float32Array.from(joints), reading_count: Uint16Array.from(count),

@@ -28,7 +28,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const [kind, ...rest] = process.argv.slice(2);
   const at = rest.indexOf("-o");
   const to = at >= 0 ? rest.splice(at, 2)[1] : "page.html";
-  const data = kind === "toy" ? invented.toy() : kind.startsWith("ball") ? invented.ball(Number(kind.split(":")[1] ?? 1000))
+  const data = kind === "toy" ? invented.toy({ robot: rest[0] ?? true }) : kind.startsWith("ball") ? invented.ball(Number(kind.split(":")[1] ?? 1000))
     : kind.startsWith("long") ? invented.long(Number(kind.split(":")[1] ?? 1000))
       : kind === "model" ? invented.model(rest[0]) : invented.run(rest[0], rest[1], Number(rest[2]), rest[3]);
   writeFileSync(to, makePage(data, rest[0] ?? kind));

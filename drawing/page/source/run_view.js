@@ -24,6 +24,7 @@ export class RunView {
     this.viewer = viewer;
     this.robot = data.head.robot ?? null;
     this.sets = data.head.run.sets;
+    this.joints = this.robot ? jointCount(this.robot) : 0;  // of a configuration
     this.group = new Group();
     viewer.scene.add(this.group);
     this.material = new ShaderMaterial({ vertexShader: kVertexShader, fragmentShader: kFragmentShader,
@@ -151,7 +152,7 @@ export class RunView {
   }
 
   #showRobot(step, set) {
-    const n = jointCount(this.robot);
+    const n = this.joints;
     const shift = this.frame.ofWorld([0, 0, 0]);
     const poses = linkPoses(this.robot, this.arrays.joints.subarray(n * set, n * (set + 1)), shift);
     this.links.forEach((link, i) => {
