@@ -10,13 +10,25 @@ import { chromium } from "playwright-core";
 export const folder = mkdtempSync(join(tmpdir(), "limpet-page-"));
 const kProfile = join(folder, "profile");
 
-const kArguments = ["--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
-  "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+const kArguments = [
+  "--headless",
+  "--no-sandbox",
+  "--use-gl=angle",
+  "--use-angle=swiftshader",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
 
 let context = null;
 async function browser() {
   context ??= await chromium.launchPersistentContext(kProfile, {
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: kArguments, acceptDownloads: true });
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: kArguments,
+    acceptDownloads: true,
+  });
   return context;
 }
 export async function closeBrowser() {
@@ -56,7 +68,10 @@ export function run(...words) {
 }
 /// Replays of runs that were cut end with exit code 1: interrupted.
 export function replay(file, to) {
-  const { status, stderr } = spawnSync(program, ["follow", "--replay", file, "-o", to, "--quiet"], { cwd: folder, encoding: "utf8" });
+  const { status, stderr } = spawnSync(program, ["follow", "--replay", file, "-o", to, "--quiet"], {
+    cwd: folder,
+    encoding: "utf8",
+  });
   if (status > 1) throw new Error(stderr);
 }
 export const canView = program !== null && spawnSync(program, ["view", "--help"]).status === 0;

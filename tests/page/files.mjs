@@ -1,13 +1,17 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-// Readers of the program's text files, and what can be told of them: docs/native_format.md, docs/run_format.md.
+// Readers of the program's text files, and what can be told of them: docs/native_format.md,
+// docs/run_format.md.
 import { readFileSync } from "node:fs";
 
-/// {resolution, noise, tolerance, polygons: [{id, count, initial, normal, cycles: [{hole, vertices: [{edge, partner,
-/// at}]}]}], points: [{id, at, count}]}, places in the world.
+/// {resolution, noise, tolerance, polygons: [{id, count, initial, normal, cycles: [{hole, vertices: [{edge,
+/// partner, at}]}]}], points: [{id, at, count}]}, places in the world.
 export function readModel(path) {
-  const lines = readFileSync(path, "utf8").split("\n").filter((line) => !line.startsWith("#"));
+  const lines = readFileSync(path, "utf8")
+    .split("\n")
+    .filter((line) => !line.startsWith("#"));
   const model = { noise: [0, 0, 0], polygons: [], points: [], angle: 0, tolerance: 0 };
-  let polygon = null, step = 1;
+  let polygon = null,
+    step = 1;
   for (let at = 0; at < lines.length; ++at) {
     const [word, ...rest] = lines[at].split(" ");
     const numbers = rest.map(Number);
@@ -18,10 +22,17 @@ export function readModel(path) {
     else if (word === "grid") step = numbers[0];
     else if (word === "point") {
       const [id, count, ...sums] = numbers;
-      model.points.push({ id, count, at: [0, 1, 2].map((i) => sums[i] / count * step) });
+      model.points.push({ id, count, at: [0, 1, 2].map((i) => (sums[i] / count) * step) });
       polygon = null;
     } else if (word === "polygon") {
-      polygon = { id: numbers[0], count: numbers[1], rms: 0, initial: false, cycles: [], sums: numbers.slice(2, 11) };
+      polygon = {
+        id: numbers[0],
+        count: numbers[1],
+        rms: 0,
+        initial: false,
+        cycles: [],
+        sums: numbers.slice(2, 11),
+      };
       model.polygons.push(polygon);
     } else if (word === "chart") {
       polygon.chart = [0, 1, 2, 3].map((i) => numbers.slice(3 * i, 3 * i + 3));
@@ -39,7 +50,11 @@ export function readModel(path) {
       for (let i = 0; i < numbers[0]; ++i) {
         const [x, y, edge, partner] = lines[++at].split(" ").map(Number);
         const h = h0 + hx * x + hy * y;
-        vertices.push({ edge, partner, at: [0, 1, 2].map((k) => o[k] + step * (x * u[k] + y * v[k] + h * n[k])) });
+        vertices.push({
+          edge,
+          partner,
+          at: [0, 1, 2].map((k) => o[k] + step * (x * u[k] + y * v[k] + h * n[k])),
+        });
       }
       polygon.cycles.push({ hole: polygon.cycles.length > 0, vertices });
     } else if (word === "raw") at += numbers[0];
@@ -47,7 +62,8 @@ export function readModel(path) {
   return model;
 }
 
-/// {head: [lines], sets: [{line, mode, joints, place, readings}], marks, links, sensors, …} of a recorded run.
+/// {head: [lines], sets: [{line, mode, joints, place, readings}], marks, links, sensors, …} of a recorded
+/// run.
 export function readRun(path) {
   const lines = readFileSync(path, "utf8").split("\n");
   const run = { head: [], sets: [], links: [], sensors: [], marks: {}, ended: "interrupted", seed: 1 };
@@ -68,13 +84,21 @@ export function readRun(path) {
     else if (word === "link") {
       const n = f.slice(3, 20).map(real);
       const m = n.slice(5);
-      run.links.push({ name: f[0], parent: f[1] === "-" ? -1 : Number(f[1]), kind: f[2], axis: n.slice(0, 3),
-        low: Number.isFinite(n[3]) ? n[3] : null, high: Number.isFinite(n[4]) ? n[4] : null,
-        mounting: [0, 1, 2, 4, 5, 6, 8, 9, 10, 3, 7, 11].map((i) => m[i]), capsules: [] });
+      run.links.push({
+        name: f[0],
+        parent: f[1] === "-" ? -1 : Number(f[1]),
+        kind: f[2],
+        axis: n.slice(0, 3),
+        low: Number.isFinite(n[3]) ? n[3] : null,
+        high: Number.isFinite(n[4]) ? n[4] : null,
+        mounting: [0, 1, 2, 4, 5, 6, 8, 9, 10, 3, 7, 11].map((i) => m[i]),
+        capsules: [],
+      });
     } else if (word === "capsule") {
       const n = f.map(real);
       run.links.at(-1).capsules.push({ a: n.slice(0, 3), b: n.slice(3, 6), radius: n[6] });
-    } else if (word === "control_point") run.controlPoint = { link: Number(f[0]), position: f.slice(1, 4).map(real) };
+    } else if (word === "control_point")
+      run.controlPoint = { link: Number(f[0]), position: f.slice(1, 4).map(real) };
     else if (word === "sensor") {
       const n = f.map(real);
       run.sensors.push({ link: n[0], position: n.slice(1, 4), axis: n.slice(4, 7), range: n[7] });
@@ -103,8 +127,15 @@ function readSet(line, run) {
 
 /// The text of a run that ends after its first `sets` sets.
 export function cutRun(run, sets) {
-  return [...run.head, ...run.sets.slice(0, sets).map((set) => set.line), "unreachable_segments 0",
-    "unreachable_edges 0", "unclosable_edges 0", `end interrupted ${sets} -`, ""].join("\n");
+  return [
+    ...run.head,
+    ...run.sets.slice(0, sets).map((set) => set.line),
+    "unreachable_segments 0",
+    "unreachable_edges 0",
+    "unclosable_edges 0",
+    `end interrupted ${sets} -`,
+    "",
+  ].join("\n");
 }
 
 /// A real number of a run file: hexadecimal as in C, or decimal.

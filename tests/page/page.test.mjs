@@ -5,7 +5,8 @@ import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, writeFileSync, existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { closeBrowser, open, write } from "./browser.mjs";
-import { ball, toy } from "./data.mjs";
+import { ball } from "./large.mjs";
+import { toy } from "./toy.mjs";
 import { makePage } from "./make_page.mjs";
 
 const kToy = write("toy.html", makePage(toy(), "toy.run"));
@@ -14,7 +15,10 @@ after(closeBrowser);
 
 const silent = (page) => {
   assert.deepEqual(page.log, []);
-  assert.deepEqual(page.requests.filter((url) => !/^(file|data|blob):/.test(url)), []);
+  assert.deepEqual(
+    page.requests.filter((url) => !/^(file|data|blob):/.test(url)),
+    [],
+  );
 };
 const text = (page, selector) => page.locator(selector).innerText();
 const stats = (page) => page.evaluate(() => limpet.stats());
@@ -47,42 +51,56 @@ test("a model has no time bar", async () => {
   await page.close();
 });
 
-test("a click selects the polygon and the edge that are drawn there, and the panel tells of them", async () => {
+test("a click selects what is drawn there, and the panel tells of it", async () => {
   const page = await open(kToy);
-  for (const view of ["iso", "front", "top", "left"]) for (const projection of [0, 1]) {
-    await page.evaluate((name) => limpet.setView(name), view);
-    if (projection) await page.keyboard.press("p");
-    const facing = await page.evaluate(() => [...limpet.state().polygons.values()].filter(({ id, normal }) => {
-      const inner = limpet.placeOf({ polygon: id });
-      return limpet.camera().reduce((sum, x, i) => sum + (x - inner[i]) * normal[i], 0) > 0.3;
-    }).map(({ id }) => ({ id, at: limpet.project(limpet.placeOf({ polygon: id })) })));
-    assert.ok(facing.length >= 1);
-    for (const { id, at } of facing) {
-      await page.mouse.click(...at);
-      assert.deepEqual(await selection(page), { polygon: id }, `${view} ${projection} ${at}`);
-      const panel = await text(page, "#selection");
-      assert.match(panel, new RegExp(`polygon ${id}`));
-      assert.match(panel, /points\n600/);
-      assert.match(panel, /area\n1 \(400 λ²\)/);
-      assert.match(panel, /edges\n4: 4 shared, 0 open/);
-      assert.match(panel, /polygons\n6/);
-      assert.match(panel, /nothing: closed/);
+  for (const view of ["iso", "front", "top", "left"])
+    for (const projection of [0, 1]) {
+      await page.evaluate((name) => limpet.setView(name), view);
+      if (projection) await page.keyboard.press("p");
+      const facing = await page.evaluate(() =>
+        [...limpet.state().polygons.values()]
+          .filter(({ id, normal }) => {
+            const inner = limpet.placeOf({ polygon: id });
+            return limpet.camera().reduce((sum, x, i) => sum + (x - inner[i]) * normal[i], 0) > 0.3;
+          })
+          .map(({ id }) => ({ id, at: limpet.project(limpet.placeOf({ polygon: id })) })),
+      );
+      assert.ok(facing.length >= 1);
+      for (const { id, at } of facing) {
+        await page.mouse.click(...at);
+        assert.deepEqual(await selection(page), { polygon: id }, `${view} ${projection} ${at}`);
+        const panel = await text(page, "#selection");
+        assert.match(panel, new RegExp(`polygon ${id}`));
+        assert.match(panel, /points\n600/);
+        assert.match(panel, /area\n1 \(400 λ²\)/);
+        assert.match(panel, /edges\n4: 4 shared, 0 open/);
+        assert.match(panel, /polygons\n6/);
+        assert.match(panel, /nothing: closed/);
+      }
+      const ids = facing.map(({ id }) => id);
+      const edges = await page.evaluate(
+        (polygons) =>
+          [...limpet.state().edges]
+            .filter(
+              ([id, e]) =>
+                id < e.partner &&
+                polygons.includes(e.segment) &&
+                polygons.includes(limpet.state().edges.get(e.partner).segment),
+            )
+            .map(([id, { partner }]) => ({ id, partner, at: limpet.project(limpet.placeOf({ edge: id })) })),
+        ids,
+      );
+      for (const { id, partner, at } of edges) {
+        await page.mouse.click(at[0] + 2, at[1] + 2);
+        const { edge } = await selection(page);
+        assert.ok(edge === id || edge === partner, `${edge} is neither ${id} nor ${partner}`);
+        const panel = await text(page, "#selection");
+        assert.match(panel, new RegExp(`shared with\n${edge === id ? partner : id} of polygon`));
+        assert.match(panel, /length\n1 \(20 λ\)/);
+        assert.match(panel, /90°, convex/);
+      }
+      if (projection) await page.keyboard.press("p");
     }
-    const ids = facing.map(({ id }) => id);
-    const edges = await page.evaluate((polygons) => [...limpet.state().edges].filter(([id, e]) => id < e.partner &&
-      polygons.includes(e.segment) && polygons.includes(limpet.state().edges.get(e.partner).segment))
-      .map(([id, { partner }]) => ({ id, partner, at: limpet.project(limpet.placeOf({ edge: id })) })), ids);
-    for (const { id, partner, at } of edges) {
-      await page.mouse.click(at[0] + 2, at[1] + 2);
-      const { edge } = await selection(page);
-      assert.ok(edge === id || edge === partner, `${edge} is neither ${id} nor ${partner}`);
-      const panel = await text(page, "#selection");
-      assert.match(panel, new RegExp(`shared with\n${edge === id ? partner : id} of polygon`));
-      assert.match(panel, /length\n1 \(20 λ\)/);
-      assert.match(panel, /90°, convex/);
-    }
-    if (projection) await page.keyboard.press("p");
-  }
   await page.mouse.click(20, 400);
   assert.equal(await selection(page), null);
   silent(page);
@@ -91,8 +109,10 @@ test("a click selects the polygon and the edge that are drawn there, and the pan
 
 test("an open edge says why, and since when", async () => {
   const page = await open(kToy, { hash: "#step=24&edge=100" });
-  const { since, code } = await page.evaluate(() => ({ since: limpet.state().edges.get(100).since,
-    code: limpet.state().refusals.get(100).code }));
+  const { since, code } = await page.evaluate(() => ({
+    since: limpet.state().edges.get(100).since,
+    code: limpet.state().refusals.get(100).code,
+  }));
   const words = await page.evaluate((c) => limpet.head.refusals[c].words, code);
   const panel = await text(page, "#selection");
   assert.ok(panel.includes(`Open: ${words}`), panel);
@@ -111,7 +131,9 @@ test("deep links open, follow, and are kept", async () => {
   assert.equal((await stats(page)).step, 41);
   assert.deepEqual(await selection(page), { edge: 110 });
   assert.equal((await stats(page)).view, "top");
-  await page.evaluate(() => { location.hash = "#step=50&polygon=12"; });
+  await page.evaluate(() => {
+    location.hash = "#step=50&polygon=12";
+  });
   await page.waitForFunction(() => limpet.stats().step === 50);
   assert.deepEqual(await selection(page), { polygon: 12 });
   const [x, y] = await page.evaluate(() => limpet.project(limpet.placeOf({ polygon: 12 })));
@@ -184,7 +206,7 @@ test("keys, events, theme, help", async () => {
   await page.keyboard.press("?");
   assert.ok(await page.locator("#help").isVisible());
   await page.keyboard.press("Escape");
-  assert.ok(!await page.locator("#help").isVisible());
+  assert.ok(!(await page.locator("#help").isVisible()));
   assert.equal((await stats(page)).theme, "light");
   await page.keyboard.press("t");
   assert.equal((await stats(page)).theme, "dark");
@@ -201,8 +223,10 @@ test("keys, events, theme, help", async () => {
 
 test("the legend counts what there is, switches it off, and it cannot be picked then", async () => {
   const page = await open(kToy, { hash: "#step=30" });
-  const counted = Number((await text(page, "[data-row=open] .count")));
-  const open_ = await page.evaluate(() => [...limpet.state().edges.values()].filter((e) => e.partner === 0).length);
+  const counted = Number(await text(page, "[data-row=open] .count"));
+  const open_ = await page.evaluate(
+    () => [...limpet.state().edges.values()].filter((e) => e.partner === 0).length,
+  );
   assert.equal(counted, open_);
   const at = await page.evaluate(() => limpet.project(limpet.placeOf({ polygon: 12 })));
   assert.deepEqual(await page.evaluate((p) => limpet.pick(...p), at), { polygon: 12 });
@@ -233,26 +257,30 @@ test("a section cuts away what is before it", async () => {
 });
 
 /// Colours of a PNG in the page: how many different ones, and how far two pictures differ.
-const compare = (page, one, other) => page.evaluate(async ([a, b]) => {
-  const pixels = async (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-    const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
-    const canvas = new OffscreenCanvas(image.width, image.height);
-    const context = canvas.getContext("2d");
-    context.drawImage(image, 0, 0);
-    return context.getImageData(0, 0, image.width, image.height);
-  };
-  const first = await pixels(a);
-  const colors = new Set(new Uint32Array(first.data.buffer)).size;
-  if (!b) return { colors, width: first.width, height: first.height };
-  const second = await pixels(b);
-  if (first.width !== second.width || first.height !== second.height) return { colors, differ: 1 };
-  let differ = 0;
-  for (let i = 0; i < first.data.length; i += 4) {
-    if ([0, 1, 2].some((k) => Math.abs(first.data[i + k] - second.data[i + k]) > 48)) ++differ;
-  }
-  return { colors, differ: differ * 4 / first.data.length };
-}, [one, other]);
+const compare = (page, one, other) =>
+  page.evaluate(
+    async ([a, b]) => {
+      const pixels = async (base64) => {
+        const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+        const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+        const canvas = new OffscreenCanvas(image.width, image.height);
+        const context = canvas.getContext("2d");
+        context.drawImage(image, 0, 0);
+        return context.getImageData(0, 0, image.width, image.height);
+      };
+      const first = await pixels(a);
+      const colors = new Set(new Uint32Array(first.data.buffer)).size;
+      if (!b) return { colors, width: first.width, height: first.height };
+      const second = await pixels(b);
+      if (first.width !== second.width || first.height !== second.height) return { colors, differ: 1 };
+      let differ = 0;
+      for (let i = 0; i < first.data.length; i += 4) {
+        if ([0, 1, 2].some((k) => Math.abs(first.data[i + k] - second.data[i + k]) > 48)) ++differ;
+      }
+      return { colors, differ: (differ * 4) / first.data.length };
+    },
+    [one, other],
+  );
 
 test("a picture is saved, and not blank", async () => {
   const page = await open(kToy, { hash: "#step=30" });
@@ -284,8 +312,12 @@ test("too old a browser and damaged data are told in words", async () => {
 test("pictures are as they were", async () => {
   const references = fileURLToPath(new URL("references/", import.meta.url));
   const failed = [];
-  for (const [name, theme, hash] of [["toy-30-light", "light", "#step=30"], ["toy-30-dark", "dark", "#step=30"],
-    ["toy-60-light", "light", "#step=60&view=iso"], ["toy-45-selected", "light", "#step=45&polygon=11&view=iso"]]) {
+  for (const [name, theme, hash] of [
+    ["toy-30-light", "light", "#step=30"],
+    ["toy-30-dark", "dark", "#step=30"],
+    ["toy-60-light", "light", "#step=60&view=iso"],
+    ["toy-45-selected", "light", "#step=45&polygon=11&view=iso"],
+  ]) {
     const page = await open(kToy, { hash, theme, width: 800, height: 500 });
     await page.addStyleTag({ content: "#overlay, #time { display: none !important; }" });
     await page.keyboard.press("h");

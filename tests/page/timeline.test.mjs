@@ -3,22 +3,32 @@
 import test from "node:test";
 import assert from "node:assert/strict";
 import { TimelineEncoder, container } from "./encode.mjs";
-import { random, toy } from "./data.mjs";
+import { random } from "./parts.mjs";
+import { toy } from "./toy.mjs";
 import { Timeline } from "../../drawing/page/source/timeline.js";
 import { parseContainer } from "../../drawing/page/source/container.js";
 
 const seed = Number(process.env.SEED ?? Math.floor(Math.random() * 1e9));
 
-/// Random states, each made from the one before by small changes: outlines that lose, gain, move and rotate vertices.
+/// Random states, each made from the one before by small changes: outlines that lose, gain, move and rotate
+/// vertices.
 function* states(next, steps) {
   const below = (n) => Math.floor(next() * n);
-  let edge = 1, segment = 1;
+  let edge = 1,
+    segment = 1;
   const big = () => (next() < 0.05 ? below(2 ** 48) : below(5000)) - 2000;
   const at = () => [big(), big(), big()];
-  const vertex = () => ({ edge: edge += 1 + below(next() < 0.01 ? 2 ** 40 : 3), partner: 0, at: at() });
+  const vertex = () => ({ edge: (edge += 1 + below(next() < 0.01 ? 2 ** 40 : 3)), partner: 0, at: at() });
   const cycle = (hole) => ({ hole, vertices: Array.from({ length: 3 + below(40) }, vertex) });
-  const polygon = (id) => ({ id, count: below(1e6), rms: below(1000), normal: at(), offset: big(), initial: next() < 0.1,
-    cycles: [cycle(false), ...(next() < 0.3 ? [cycle(true)] : [])] });
+  const polygon = (id) => ({
+    id,
+    count: below(1e6),
+    rms: below(1000),
+    normal: at(),
+    offset: big(),
+    initial: next() < 0.1,
+    cycles: [cycle(false), ...(next() < 0.3 ? [cycle(true)] : [])],
+  });
   let now = { polygons: [], points: [], refusals: new Map(), intent: null };
   for (let s = 0; s < steps; ++s) {
     let { polygons, points } = structuredClone(now);
@@ -27,8 +37,8 @@ function* states(next, steps) {
       if (next() < 0.1) return polygons.push(polygon(p.id)) < 0;
       return next() > 0.1;
     });
-    if (next() < 0.5) points.push({ id: segment += 1 + below(3), at: at(), count: 1 + below(9) });
-    if (next() < 0.2) polygons.push(polygon(segment += 1 + below(3)));
+    if (next() < 0.5) points.push({ id: (segment += 1 + below(3)), at: at(), count: 1 + below(9) });
+    if (next() < 0.2) polygons.push(polygon((segment += 1 + below(3))));
     for (const p of points) if (next() < 0.2) [p.at, p.count] = [at(), p.count + 1];
     for (const p of polygons) {
       if (next() < 0.7) continue;
@@ -44,10 +54,21 @@ function* states(next, steps) {
       if (change === 4) vertices[below(vertices.length)].partner = next() < 0.3 ? 0 : 1 + below(edge);
     }
     const open = polygons.flatMap((p) => p.cycles.flatMap((c) => c.vertices.filter((v) => v.partner === 0)));
-    const refusals = new Map(open.filter((v) => v.edge % 4).map((v) => [v.edge, { code: below(17), other: below(99) }]));
+    const refusals = new Map(
+      open.filter((v) => v.edge % 4).map((v) => [v.edge, { code: below(17), other: below(99) }]),
+    );
     const places = () => Array.from({ length: below(5) }, at);
-    const intent = next() < 0.3 ? null : { targets: places(), aim: { target: at(), place: at() }, way: places(),
-      edge: 1 + below(99), segment: 1 + below(99), slice: places() };
+    const intent =
+      next() < 0.3
+        ? null
+        : {
+            targets: places(),
+            aim: { target: at(), place: at() },
+            way: places(),
+            edge: 1 + below(99),
+            segment: 1 + below(99),
+            slice: places(),
+          };
     now = { polygons, points, refusals, intent };
     yield now;
   }
@@ -55,17 +76,37 @@ function* states(next, steps) {
 
 /// A state as the test's own, plain data, to be compared.
 const plain = (state) => ({
-  polygons: [...state.polygons.values()].sort((a, b) => a.id - b.id).map((p) => ({ id: p.id, count: p.count,
-    rms: p.rms * 16, initial: p.initial, normal: p.normal.map((x) => x * 2 ** 24), offset: p.offset * 16,
-    cycles: p.cycles.map((c) => ({ hole: c.hole, vertices: Array.from(c.edges, (edge, i) => ({ edge,
-      partner: c.partners[i], at: [...c.positions.subarray(3 * i, 3 * i + 3)] })) })) })),
-  points: [...state.points.values()].sort((a, b) => a.id - b.id).map((p) => ({ id: p.id, at: p.position, count: p.count })),
-  refusals: [...state.refusals].sort((a, b) => a[0] - b[0]).map(([edge, { code, other }]) => ({ edge, code, other })),
+  polygons: [...state.polygons.values()]
+    .sort((a, b) => a.id - b.id)
+    .map((p) => ({
+      id: p.id,
+      count: p.count,
+      rms: p.rms * 16,
+      initial: p.initial,
+      normal: p.normal.map((x) => x * 2 ** 24),
+      offset: p.offset * 16,
+      cycles: p.cycles.map((c) => ({
+        hole: c.hole,
+        vertices: Array.from(c.edges, (edge, i) => ({
+          edge,
+          partner: c.partners[i],
+          at: [...c.positions.subarray(3 * i, 3 * i + 3)],
+        })),
+      })),
+    })),
+  points: [...state.points.values()]
+    .sort((a, b) => a.id - b.id)
+    .map((p) => ({ id: p.id, at: p.position, count: p.count })),
+  refusals: [...state.refusals]
+    .sort((a, b) => a[0] - b[0])
+    .map(([edge, { code, other }]) => ({ edge, code, other })),
 });
 const expected = (s) => ({
   polygons: s.polygons.toSorted((a, b) => a.id - b.id),
   points: s.points.toSorted((a, b) => a.id - b.id),
-  refusals: [...s.refusals].sort((a, b) => a[0] - b[0]).map(([edge, { code, other }]) => ({ edge, code, other })),
+  refusals: [...s.refusals]
+    .sort((a, b) => a[0] - b[0])
+    .map(([edge, { code, other }]) => ({ edge, code, other })),
 });
 
 test(`what was encoded is decoded, in any order of steps (SEED=${seed})`, async () => {
@@ -75,8 +116,9 @@ test(`what was encoded is decoded, in any order of steps (SEED=${seed})`, async 
     const encoder = new TimelineEncoder({ intent: true });
     const all = [...states(next, steps)];
     all.forEach((state) => encoder.step(state));
-    const { head, arrays } = parseContainer(container({ steps, unit: 1, kind: "run", run: { intent: true } },
-      { timeline: encoder.bytes() }));
+    const { head, arrays } = parseContainer(
+      container({ steps, unit: 1, kind: "run", run: { intent: true } }, { timeline: encoder.bytes() }),
+    );
     const timeline = new Timeline(head, arrays);
     if (round % 2) await timeline.index();
     for (let i = 0; i < 60; ++i) {
@@ -87,9 +129,15 @@ test(`what was encoded is decoded, in any order of steps (SEED=${seed})`, async 
       const { intent } = all[step - 1];
       assert.deepEqual(state.intent && [...state.intent.way], intent && intent.way.flat());
       assert.deepEqual(state.intent?.aim, intent?.aim);
-      const edges = new Map(all[step - 1].polygons.flatMap((p) => p.cycles.flatMap((c) => c.vertices.map((v) =>
-        [v.edge, [p.id, v.partner]]))));
-      assert.deepEqual(new Map([...state.edges].map(([e, { segment, partner }]) => [e, [segment, partner]])), edges);
+      const edges = new Map(
+        all[step - 1].polygons.flatMap((p) =>
+          p.cycles.flatMap((c) => c.vertices.map((v) => [v.edge, [p.id, v.partner]])),
+        ),
+      );
+      assert.deepEqual(
+        new Map([...state.edges].map(([e, { segment, partner }]) => [e, [segment, partner]])),
+        edges,
+      );
     }
   }
 });
@@ -97,7 +145,8 @@ test(`what was encoded is decoded, in any order of steps (SEED=${seed})`, async 
 test("since when an edge is open or shared", () => {
   const { head, arrays } = parseContainer(toy());
   const timeline = new Timeline(head, arrays);
-  const born = new Map(), since = new Map();
+  const born = new Map(),
+    since = new Map();
   let last = new Map();
   for (let s = 1; s <= head.steps; ++s) {
     const { edges } = timeline.seek(s);

@@ -89,13 +89,17 @@ export class App {
       return;
     }
     const { scene } = derived(found, this.frame);
-    const low = [Infinity, Infinity, Infinity], high = low.map((x) => -x);
+    const low = [Infinity, Infinity, Infinity],
+      high = low.map((x) => -x);
     scene.forEach((x, i) => {
       low[i % 3] = Math.min(low[i % 3], x);
       high[i % 3] = Math.max(high[i % 3], x);
     });
-    this.viewer.focus(low.map((x, i) => (x + high[i]) / 2), found.normal,
-      Math.hypot(...low.map((x, i) => high[i] - x)) * 0.8);
+    this.viewer.focus(
+      low.map((x, i) => (x + high[i]) / 2),
+      found.normal,
+      Math.hypot(...low.map((x, i) => high[i] - x)) * 0.8,
+    );
   }
 
   setTheme(theme) {
@@ -111,6 +115,8 @@ export class App {
     message.textContent = words;
     message.hidden = false;
     clearTimeout(this.messageTimer);
-    this.messageTimer = setTimeout(() => { message.hidden = true; }, 4000);
+    this.messageTimer = setTimeout(() => {
+      message.hidden = true;
+    }, 4000);
   }
 }

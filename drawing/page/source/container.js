@@ -3,7 +3,12 @@
 
 const kMagic = "LIMPAGE1";
 const kTypes = {
-  u8: Uint8Array, u16: Uint16Array, u32: Uint32Array, i32: Int32Array, f32: Float32Array, f64: Float64Array,
+  u8: Uint8Array,
+  u16: Uint16Array,
+  u32: Uint32Array,
+  i32: Int32Array,
+  f32: Float32Array,
+  f64: Float64Array,
 };
 
 /// {head, arrays} of a container's bytes. Arrays are views of the bytes, nothing is copied.

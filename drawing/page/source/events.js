@@ -1,7 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 // Events of a run, by kind, and the way from one to the next.
 
-// Kinds as people look for them; each is one or more of head.event_kinds. Key: the next one; with shift the one before.
+// Kinds as people look for them; each is one or more of head.event_kinds. Key: the next one; with shift the
+// one before.
 export const kEventRows = [
   { name: "polygon born", kinds: ["became_polygon"], key: "b", color: "#56a4dd" },
   { name: "merged, deleted", kinds: ["merged", "deleted"], key: "m", color: "#d55e00" },
@@ -35,7 +36,8 @@ export class Events {
   /// The nearest step after (direction 1) or before (−1) that has an event of the row; null if there is none.
   next(row, from, direction) {
     const { steps } = row;
-    let low = 0, high = steps.length;
+    let low = 0,
+      high = steps.length;
     while (low < high) {
       const middle = (low + high) >> 1;
       if (steps[middle] < from + (direction > 0 ? 1 : 0)) low = middle + 1;
@@ -47,7 +49,8 @@ export class Events {
   /// Indices of a step's events: [first, last).
   range(step) {
     const first = (wanted) => {
-      let low = 0, high = this.step.length;
+      let low = 0,
+        high = this.step.length;
       while (low < high) {
         const middle = (low + high) >> 1;
         if (this.step[middle] < wanted) low = middle + 1;
@@ -60,17 +63,27 @@ export class Events {
 
   /// Words and links: a list of strings and {polygon} or {edge}.
   describe(i) {
-    const a = this.a[i], b = this.b[i];
+    const a = this.a[i],
+      b = this.b[i];
     switch (this.head.event_kinds[this.kind[i]]) {
-      case "became_polygon": return [{ polygon: a }, " became a polygon"];
-      case "merged": return [{ polygon: b }, " merged into ", { polygon: a }];
-      case "deleted": return [`segment ${a} deleted`];
-      case "shared": return [{ edge: a }, " shared with ", { edge: b }];
-      case "unshared": return [{ edge: a }, " no longer shared with ", { edge: b }];
-      case "mode": return [`mode: ${this.head.modes[a] ?? a}`];
-      case "mark": return [b === 0 ? { polygon: a } : { edge: a }, ` marked: ${kMarks[b] ?? b}`];
-      case "corner_formed": return ["corner of ", { polygon: a }, " and ", { polygon: b }];
-      default: return [`event ${this.kind[i]}: ${a}, ${b}`];
+      case "became_polygon":
+        return [{ polygon: a }, " became a polygon"];
+      case "merged":
+        return [{ polygon: b }, " merged into ", { polygon: a }];
+      case "deleted":
+        return [`segment ${a} deleted`];
+      case "shared":
+        return [{ edge: a }, " shared with ", { edge: b }];
+      case "unshared":
+        return [{ edge: a }, " no longer shared with ", { edge: b }];
+      case "mode":
+        return [`mode: ${this.head.modes[a] ?? a}`];
+      case "mark":
+        return [b === 0 ? { polygon: a } : { edge: a }, ` marked: ${kMarks[b] ?? b}`];
+      case "corner_formed":
+        return ["corner of ", { polygon: a }, " and ", { polygon: b }];
+      default:
+        return [`event ${this.kind[i]}: ${a}, ${b}`];
     }
   }
 

@@ -30,28 +30,38 @@ const kFragmentShader = `
 
 export function faceMaterial(back) {
   const { r, g, b } = new Color(back).convertLinearToSRGB();
-  return new ShaderMaterial({ vertexShader: kVertexShader, fragmentShader: kFragmentShader, side: DoubleSide,
-    vertexColors: true, clipping: true, uniforms: { back: { value: { x: r, y: g, z: b } }, opacity: { value: 1 } },
-    polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 });
+  return new ShaderMaterial({
+    vertexShader: kVertexShader,
+    fragmentShader: kFragmentShader,
+    side: DoubleSide,
+    vertexColors: true,
+    clipping: true,
+    uniforms: { back: { value: { x: r, y: g, z: b } }, opacity: { value: 1 } },
+    polygonOffset: true,
+    polygonOffsetFactor: 2,
+    polygonOffsetUnits: 2,
+  });
 }
 
 export class Faces {
   constructor(frame) {
     this.frame = frame;
     this.vertexCapacity = this.indexCapacity = 0;
-    this.count = 0;       // of triangles
-    this.owners = [];     // polygon ids, in the order of their triangles
-    this.starts = [];     // first triangle of each owner
+    this.count = 0; // of triangles
+    this.owners = []; // polygon ids, in the order of their triangles
+    this.starts = []; // first triangle of each owner
     this.material = faceMaterial("#888888");
     this.mesh = new Mesh(new BufferGeometry(), this.material);
     this.mesh.frustumCulled = false;
-    this.chosen = new Map();  // polygon → index of its colour
+    this.chosen = new Map(); // polygon → index of its colour
     this.#reserve(256, 256);
   }
 
   setTheme(theme) {
     this.theme = theme;
-    this.palette = Array.from({ length: kFaceColors }, (_, i) => faceColor(i, theme).map((x) => Math.round(255 * x)));
+    this.palette = Array.from({ length: kFaceColors }, (_, i) =>
+      faceColor(i, theme).map((x) => Math.round(255 * x)),
+    );
     this.known = knownColor(theme).map((x) => Math.round(255 * x));
     const { r, g, b } = new Color(themeColors(theme).back).convertLinearToSRGB();
     this.material.uniforms.back.value = { x: r, y: g, z: b };
@@ -77,31 +87,43 @@ export class Faces {
   show(state) {
     const now = [...state.polygons.values()];
     this.#choose(state);
-    let vertices = 0, indices = 0;
+    let vertices = 0,
+      indices = 0;
     for (const polygon of now) {
       vertices += polygon.outline.edges.length;
       indices += derived(polygon, this.frame).triangles.length;
     }
     if (vertices > this.vertexCapacity || indices > this.indexCapacity) this.#reserve(vertices, indices);
     const before = this.shown ?? [];
-    const { attributes: { position, normal, color }, index } = this.mesh.geometry;
+    const {
+      attributes: { position, normal, color },
+      index,
+    } = this.mesh.geometry;
     this.owners = [];
     this.starts = [];
-    let vertex = 0, at = 0, firstVertex = -1, firstIndex = 0;
+    let vertex = 0,
+      at = 0,
+      firstVertex = -1,
+      firstIndex = 0;
     now.forEach((polygon, i) => {
       const { scene, triangles } = derived(polygon, this.frame);
       this.owners.push(polygon.id);
       this.starts.push(at / 3);
       const was = before[i];
-      const same = firstVertex < 0 && was && was.id === polygon.id && was.outline === polygon.outline &&
-        was.normal === polygon.normal && was.initial === polygon.initial;
+      const same =
+        firstVertex < 0 &&
+        was &&
+        was.id === polygon.id &&
+        was.outline === polygon.outline &&
+        was.normal === polygon.normal &&
+        was.initial === polygon.initial;
       if (!same) {
         if (firstVertex < 0) [firstVertex, firstIndex] = [vertex, at];
         position.array.set(scene, 3 * vertex);
         for (let k = 0; k < triangles.length; ++k) index.array[at + k] = vertex + triangles[k];
         const [nx, ny, nz] = polygon.normal;
         const [r, g, b] = this.color(polygon);
-        for (let k = 4 * vertex; k < 4 * vertex + 4 * scene.length / 3; k += 4) {
+        for (let k = 4 * vertex; k < 4 * vertex + (4 * scene.length) / 3; k += 4) {
           normal.array[k] = 127 * nx;
           normal.array[k + 1] = 127 * ny;
           normal.array[k + 2] = 127 * nz;
@@ -115,8 +137,12 @@ export class Faces {
       at += triangles.length;
     });
     if (firstVertex >= 0) {
-      for (const [attribute, size, first, last] of [[position, 3, firstVertex, vertex], [normal, 4, firstVertex, vertex],
-        [color, 4, firstVertex, vertex], [index, 1, firstIndex, at]]) {
+      for (const [attribute, size, first, last] of [
+        [position, 3, firstVertex, vertex],
+        [normal, 4, firstVertex, vertex],
+        [color, 4, firstVertex, vertex],
+        [index, 1, firstIndex, at],
+      ]) {
         attribute.clearUpdateRanges();
         attribute.addUpdateRange(size * first, size * (last - first));
         attribute.needsUpdate = true;
@@ -154,7 +180,8 @@ export class Faces {
 
   /// The polygon that a triangle is of.
   owner(triangle) {
-    let low = 0, high = this.starts.length - 1;
+    let low = 0,
+      high = this.starts.length - 1;
     while (low < high) {
       const middle = (low + high + 1) >> 1;
       if (this.starts[middle] <= triangle) low = middle;

@@ -48,7 +48,19 @@ const kFragmentShader = `
   }`;
 
 export function fatLineMaterial(width, [drawn, gap], depthTest, depthWrite) {
-  return new ShaderMaterial({ vertexShader: kVertexShader, fragmentShader: kFragmentShader, clipping: true, depthTest,
-    depthWrite, side: DoubleSide, uniforms: { resolution: { value: new Vector2(1, 1) }, width: { value: width },
-      tint: { value: { x: 0, y: 0, z: 0 } }, opacity: { value: 1 }, dash: { value: new Vector2(drawn, gap) } } });
+  return new ShaderMaterial({
+    vertexShader: kVertexShader,
+    fragmentShader: kFragmentShader,
+    clipping: true,
+    depthTest,
+    depthWrite,
+    side: DoubleSide,
+    uniforms: {
+      resolution: { value: new Vector2(1, 1) },
+      width: { value: width },
+      tint: { value: { x: 0, y: 0, z: 0 } },
+      opacity: { value: 1 },
+      dash: { value: new Vector2(drawn, gap) },
+    },
+  });
 }

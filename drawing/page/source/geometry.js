@@ -2,14 +2,14 @@
 // What is derived of outlines, once for each: triangles, area, lengths, where an edge is.
 import { ShapeUtils, Vector2 } from "three";
 
-/// Between the model's whole numbers, the world, and the scene, whose origin is the middle of all that is shown, so
-/// that single precision suffices.
+/// Between the model's whole numbers, the world, and the scene, whose origin is the middle of all that is
+/// shown, so that single precision suffices.
 export class Frame {
   constructor(head) {
     this.unit = head.unit;
     this.origin = head.origin;
     const { low, high } = head.box;
-    this.middle = low.map((x, i) => (x + high[i]) / 2 - head.origin[i]);  // minus origin
+    this.middle = low.map((x, i) => (x + high[i]) / 2 - head.origin[i]); // minus origin
     this.size = high.map((x, i) => x - low[i]);
     this.radius = Math.hypot(...this.size) / 2 || head.resolution;
   }
@@ -27,13 +27,13 @@ export class Frame {
   }
 }
 
-const cache = new WeakMap();  // outline → what was derived
+const cache = new WeakMap(); // outline → what was derived
 
-/// Of a polygon's outline: scene (positions), triangles (indices of vertices), area, inner (a place well inside),
-/// next and previous (index of the vertex after and before in the cycle), indexOf(edge).
+/// Of a polygon's outline: scene (positions), triangles (indices of vertices), area, inner (a place well
+/// inside), next and previous (index of the vertex after and before in the cycle), indexOf(edge).
 export function derived(polygon, frame) {
   let found = cache.get(polygon.outline);
-  if (!found) cache.set(polygon.outline, found = new Derived(polygon, frame));
+  if (!found) cache.set(polygon.outline, (found = new Derived(polygon, frame)));
   return found;
 }
 
@@ -41,10 +41,13 @@ class Derived {
   constructor({ outline, normal }, frame) {
     const { positions, bounds } = outline;
     this.edges = outline.edges;
-    this.index = null;  // of edges, made when needed
-    this.largest = 0;   // where the largest triangle is
-    const scene = this.scene = new Float64Array(positions.length);
-    const { unit, middle: [mx, my, mz] } = frame;
+    this.index = null; // of edges, made when needed
+    this.largest = 0; // where the largest triangle is
+    const scene = (this.scene = new Float64Array(positions.length));
+    const {
+      unit,
+      middle: [mx, my, mz],
+    } = frame;
     for (let i = 0; i < scene.length; i += 3) {
       scene[i] = positions[i] * unit - mx;
       scene[i + 1] = positions[i + 1] * unit - my;
@@ -57,7 +60,12 @@ class Derived {
     this.area = 0;
     let largest = -1;
     for (let t = 0; t < this.triangles.length; t += 3) {
-      const size = triangleArea(scene, 3 * this.triangles[t], 3 * this.triangles[t + 1], 3 * this.triangles[t + 2]);
+      const size = triangleArea(
+        scene,
+        3 * this.triangles[t],
+        3 * this.triangles[t + 1],
+        3 * this.triangles[t + 2],
+      );
       this.area += size;
       if (size > largest) {
         largest = size;
@@ -81,12 +89,13 @@ class Derived {
   }
 }
 
-const orders = new Map();  // of outlines of one cycle, by its length: many are of the same
+const orders = new Map(); // of outlines of one cycle, by its length: many are of the same
 
 function orderOf(bounds) {
   const n = bounds.at(-1).end;
   if (bounds.length === 1 && orders.has(n)) return orders.get(n);
-  const next = new Int32Array(n), previous = new Int32Array(n);
+  const next = new Int32Array(n),
+    previous = new Int32Array(n);
   for (const { start, end } of bounds) {
     for (let i = start; i < end; ++i) {
       const to = i + 1 < end ? i + 1 : start;
@@ -99,9 +108,15 @@ function orderOf(bounds) {
 }
 
 function triangleArea(p, a, b, c) {
-  const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
-  const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
-  const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+  const ux = p[b] - p[a],
+    uy = p[b + 1] - p[a + 1],
+    uz = p[b + 2] - p[a + 2];
+  const vx = p[c] - p[a],
+    vy = p[c + 1] - p[a + 1],
+    vz = p[c + 2] - p[a + 2];
+  const x = uy * vz - uz * vy,
+    y = uz * vx - ux * vz,
+    z = ux * vy - uy * vx;
   return Math.sqrt(x * x + y * y + z * z) / 2;
 }
 
@@ -114,7 +129,10 @@ function triangulate(scene, bounds, normal) {
   const [u, v] = planeAxes(normal);
   const flat = (i) => {
     const at = [0, 1, 2].map((axis) => scene[3 * i + axis] - scene[axis]);
-    return new Vector2(at[0] * u[0] + at[1] * u[1] + at[2] * u[2], at[0] * v[0] + at[1] * v[1] + at[2] * v[2]);
+    return new Vector2(
+      at[0] * u[0] + at[1] * u[1] + at[2] * u[2],
+      at[0] * v[0] + at[1] * v[1] + at[2] * v[2],
+    );
   };
   const points = Array.from({ length: count }, (_, i) => flat(i));
   const parts = bounds.map(({ start, end }) => points.slice(start, end));
@@ -132,7 +150,11 @@ function triangulate(scene, bounds, normal) {
 export function planeAxes(normal) {
   const [x, y, z] = normal;
   const helper = Math.abs(z) < 0.9 ? [0, 0, 1] : [1, 0, 0];
-  const u = unit([helper[1] * z - helper[2] * y, helper[2] * x - helper[0] * z, helper[0] * y - helper[1] * x]);
+  const u = unit([
+    helper[1] * z - helper[2] * y,
+    helper[2] * x - helper[0] * z,
+    helper[0] * y - helper[1] * x,
+  ]);
   return [u, [y * u[2] - z * u[1], z * u[0] - x * u[2], x * u[1] - y * u[0]]];
 }
 
@@ -153,7 +175,8 @@ export function edgeEnds(state, edge, frame) {
   return [at(i), at(next[i])];
 }
 
-/// Scene positions of corners: where three or more polygons meet round a vertex, each sharing an edge with the next.
+/// Scene positions of corners: where three or more polygons meet round a vertex, each sharing an edge with
+/// the next.
 export function findCorners(state, frame) {
   const corners = [];
   const seen = new Set();
@@ -164,7 +187,8 @@ export function findCorners(state, frame) {
       if (partners[i] === 0 || partners[own.previous[i]] === 0 || seen.has(edges[i])) continue;
       const ring = walkRound(state, polygon, own, i, frame);
       ring?.forEach((edge) => seen.add(edge));
-      if (ring && ring.length >= 3) corners.push(own.scene[3 * i], own.scene[3 * i + 1], own.scene[3 * i + 2]);
+      if (ring && ring.length >= 3)
+        corners.push(own.scene[3 * i], own.scene[3 * i + 1], own.scene[3 * i + 2]);
     }
   }
   return new Float32Array(corners);

@@ -1,7 +1,12 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 // What the robot is up to, for one step: integer coordinates like the model's.
 
-const kTargets = 1, kAim = 2, kWay = 4, kEdge = 8, kSegment = 16, kSlice = 32;
+const kTargets = 1,
+  kAim = 2,
+  kWay = 4,
+  kEdge = 8,
+  kSegment = 16,
+  kSlice = 32;
 
 export function readIntent(reader) {
   const flags = reader.unsigned();
@@ -9,8 +14,10 @@ export function readIntent(reader) {
   const intent = {};
   if (flags & kTargets) intent.targets = readPlaces(reader, reader.unsigned());
   if (flags & kAim) {
-    intent.aim = { target: [reader.signed(), reader.signed(), reader.signed()],
-      place: [reader.signed(), reader.signed(), reader.signed()] };
+    intent.aim = {
+      target: [reader.signed(), reader.signed(), reader.signed()],
+      place: [reader.signed(), reader.signed(), reader.signed()],
+    };
   }
   if (flags & kWay) intent.way = readPlaces(reader, reader.unsigned());
   if (flags & kEdge) intent.edge = reader.unsigned();

@@ -31,16 +31,29 @@ export function testInterface(started, failed) {
       },
       /// A place in the world: well inside a polygon, or the middle of an edge.
       placeOf: ({ polygon, edge }) => {
-        if (polygon !== undefined) return frame.toWorld(derived(app.state.polygons.get(polygon), frame).inner);
+        if (polygon !== undefined)
+          return frame.toWorld(derived(app.state.polygons.get(polygon), frame).inner);
         const [a, b] = edgeEnds(app.state, edge, frame);
         return frame.toWorld(a.map((x, i) => (x + b[i]) / 2));
       },
       setView: (name) => viewer.setView(name),
-      stats: () => ({ step: app.step, frames: viewer.frames, triangles: app.model.faces.count, edges: app.model.edgeCount,
-        corners: app.model.corners.count, points: app.model.points.count, polygons: app.state.polygons.size,
-        view: viewer.view, theme: app.theme, orthographic: viewer.isOrthographic,
-        calls: viewer.renderer.info.render.calls, software: viewer.quality.software, level: viewer.quality.level, cost: viewer.quality.cost,
-        snapshots: app.timeline.snapshots.length }),
+      stats: () => ({
+        step: app.step,
+        frames: viewer.frames,
+        triangles: app.model.faces.count,
+        edges: app.model.edgeCount,
+        corners: app.model.corners.count,
+        points: app.model.points.count,
+        polygons: app.state.polygons.size,
+        view: viewer.view,
+        theme: app.theme,
+        orthographic: viewer.isOrthographic,
+        calls: viewer.renderer.info.render.calls,
+        software: viewer.quality.software,
+        level: viewer.quality.level,
+        cost: viewer.quality.cost,
+        snapshots: app.timeline.snapshots.length,
+      }),
       render: (how) => viewer.render(how),
       camera: () => frame.toWorld(viewer.camera.position.toArray()),
     });

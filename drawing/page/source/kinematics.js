@@ -8,15 +8,34 @@ export function linkPoses(robot, joints, shift) {
   let joint = 0;
   robot.links.forEach((link) => {
     const m = link.mounting;
-    const mounting = new Matrix4().set(m[0], m[1], m[2], m[9], m[3], m[4], m[5], m[10], m[6], m[7], m[8], m[11],
-      0, 0, 0, 1);
+    const mounting = new Matrix4().set(
+      m[0],
+      m[1],
+      m[2],
+      m[9],
+      m[3],
+      m[4],
+      m[5],
+      m[10],
+      m[6],
+      m[7],
+      m[8],
+      m[11],
+      0,
+      0,
+      0,
+      1,
+    );
     const pose = link.parent >= 0 ? poses[link.parent].clone() : new Matrix4().makeTranslation(...shift);
     pose.multiply(mounting);
     if (link.kind !== "fixed") {
       const q = joints[joint++];
       const axis = new Vector3(...link.axis);
-      pose.multiply(link.kind === "prismatic" ? new Matrix4().makeTranslation(axis.multiplyScalar(q))
-        : new Matrix4().makeRotationAxis(axis, q));
+      pose.multiply(
+        link.kind === "prismatic"
+          ? new Matrix4().makeTranslation(axis.multiplyScalar(q))
+          : new Matrix4().makeRotationAxis(axis, q),
+      );
     }
     poses.push(pose);
   });

@@ -1,5 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-// The legend: only what occurs, with counts and lengths; its rows switch things off and, pointed at, stress them.
+// The legend: only what occurs, with counts and lengths; its rows switch things off and, pointed at, stress
+// them.
 import { button, element } from "./dom.js";
 import { count, number } from "./format.js";
 import { kDashes, kUnknown, reasonColor, reasonDash, themeColors } from "./palette.js";
@@ -22,29 +23,63 @@ export class Legend {
     const figures = () => model.figures;
     const inLambda = (x) => `${number(x / resolution, 3)} λ`;
     const row = (...args) => this.#row(model, ...args);
-    this.#heading("Model", "count", "size");
-    row("polygons", "polygons", "face", () => figures().polygons, () => `${number(figures().area / resolution ** 2, 3)} λ²`);
+    this.#heading("Model");
+    row(
+      "polygons",
+      "polygons",
+      "face",
+      () => figures().polygons,
+      () => `${number(figures().area / resolution ** 2, 3)} λ²`,
+    );
     row("known", "known beforehand", "known", () => figures().known, null, { fixed: true });
-    row("shared", "shared edges", { color: "shared", width: 2 }, () => figures().shared.count,
-      () => inLambda(figures().shared.length));
+    row(
+      "shared",
+      "shared edges",
+      { color: "shared", width: 2 },
+      () => figures().shared.count,
+      () => inLambda(figures().shared.length),
+    );
     row("corners", "corners", { dot: "corner" }, () => figures().corners);
     row("points", "point segments", { ring: "point" }, () => figures().points);
-    row("open", "open edges, by reason:", null, () => figures().openCount, () => inLambda(figures().openLength));
+    row(
+      "open",
+      "open edges, by reason:",
+      null,
+      () => figures().openCount,
+      () => inLambda(figures().openLength),
+    );
     for (let code = 0; code <= kUnknown; ++code) {
       const { words, name } = head.refusals[code] ?? { words: "reason not known", name: "" };
-      row(`reason ${code}`, words, { reason: code }, () => figures().open.get(code)?.count ?? 0,
-        () => inLambda(figures().open.get(code)?.length ?? 0), { title: name });
+      row(
+        `reason ${code}`,
+        words,
+        { reason: code },
+        () => figures().open.get(code)?.count ?? 0,
+        () => inLambda(figures().open.get(code)?.length ?? 0),
+        { title: name },
+      );
     }
     if (run) {
       const parts = run.parts;
       const some = (name) => (parts[name].some((part) => part.count > 0) ? 1 : 0);
       const line = (name, label, swatch, amount, show = () => some(name)) =>
         this.#row(run, name, label, swatch, amount, null, { show, stress: false });
-      this.#heading("Robot", "count", "");
-      line("robot", "robot", { dot: "robot" }, () => null, () => 1);
+      this.#heading("Robot");
+      line(
+        "robot",
+        "robot",
+        { dot: "robot" },
+        () => null,
+        () => 1,
+      );
       line("rays", "rays of this set, met", { color: "ray", width: 2 }, () => run.rays.count);
-      line("path", "path so far (last 40 bold)", { color: "trail", width: 2.6 }, () => null,
-        () => (run.places && app.step > 1 ? 1 : 0));
+      line(
+        "path",
+        "path so far (last 40 bold)",
+        { color: "trail", width: 2.6 },
+        () => null,
+        () => (run.places && app.step > 1 ? 1 : 0),
+      );
       line("marks", "given up", { cross: "mark" }, () => run.marks.count);
       line("targets", "targets", { ring: "target" }, () => run.targets.count);
       line("aim", "aim, and how to feel it", { color: "aim", width: 1.6, dash: 2 }, () => null);
@@ -55,31 +90,52 @@ export class Legend {
     if (app.truth) this.#truth();
   }
 
-  #heading(...words) {
-    this.grid.append(element("div", { class: "heading" }, words[0]));
+  #heading(words) {
+    this.grid.append(element("div", { class: "heading" }, words));
   }
 
   #row(owner, name, label, swatch, amount, measure, { fixed = false, stress = true, title, show } = {}) {
-    const drawn = element("canvas", { width: 52, height: 28, style: { width: "26px", height: "14px" }, "aria-hidden": "true" });
-    const box = element("input", { type: "checkbox", "aria-label": `show ${label}`, onchange: () => {
-      owner.setHidden(name, !box.checked);
-      if (name === "polygons") this.app.marker.showCut();
-      line.classList.toggle("off", !box.checked);
-    } });
+    const drawn = element("canvas", {
+      width: 52,
+      height: 28,
+      style: { width: "26px", height: "14px" },
+      "aria-hidden": "true",
+    });
+    const box = element("input", {
+      type: "checkbox",
+      "aria-label": `show ${label}`,
+      onchange: () => {
+        owner.setHidden(name, !box.checked);
+        if (name === "polygons") this.app.marker.showCut();
+        line.classList.toggle("off", !box.checked);
+      },
+    });
     box.checked = true;
-    const press = button(label, title ?? label, () => {
-      if (!stress) return box.click();
-      this.pinned = this.pinned === name ? null : name;
-      this.#stress(this.pinned);
-    }, { class: "label" });
+    const press = button(
+      label,
+      title ?? label,
+      () => {
+        if (!stress) return box.click();
+        this.pinned = this.pinned === name ? null : name;
+        this.#stress(this.pinned);
+      },
+      { class: "label" },
+    );
     if (stress && name !== "polygons" && !fixed) {
       press.addEventListener("pointerenter", () => this.#stress(name));
       press.addEventListener("pointerleave", () => this.#stress(this.pinned));
     }
     const total = element("span", { class: "count" });
     const size = element("span", { class: "measure" });
-    const line = element("div", { class: "row", "data-row": name }, element("label", {}, fixed ? "" : box), drawn, press,
-      total, size);
+    const line = element(
+      "div",
+      { class: "row", "data-row": name },
+      element("label", {}, fixed ? "" : box),
+      drawn,
+      press,
+      total,
+      size,
+    );
     this.grid.append(line);
     this.rows.push({ name, line, drawn, swatch, amount, measure, total, size, press, show, stress });
   }
@@ -99,7 +155,9 @@ export class Legend {
   #truth() {
     const { app } = this;
     const choices = ["none", "over", "beside"];
-    const buttons = choices.map((how) => button(how, `truth: ${how}`, () => this.setTruth(how), { "data-truth": how }));
+    const buttons = choices.map((how) =>
+      button(how, `truth: ${how}`, () => this.setTruth(how), { "data-truth": how }),
+    );
     this.setTruth = (how) => {
       app.truth.set(how);
       buttons.forEach((made, i) => made.setAttribute("aria-pressed", choices[i] === how ? "true" : "false"));
@@ -108,7 +166,9 @@ export class Legend {
     };
     this.cycleTruth = () => this.setTruth(choices[(choices.indexOf(app.truth.how) + 1) % 3]);
     buttons[0].setAttribute("aria-pressed", "true");
-    this.grid.append(element("div", { class: "heading" }, "Truth", element("span", { class: "group" }, ...buttons)));
+    this.grid.append(
+      element("div", { class: "heading" }, "Truth", element("span", { class: "group" }, ...buttons)),
+    );
   }
 
   show() {
@@ -134,11 +194,17 @@ export class Legend {
     context.scale(2, 2);
     if (!swatch) return;
     if (swatch === "face" || swatch === "known") {
-      const fill = swatch === "known" ? (theme === "dark" ? ["#4d5766"] : ["#ccd4e0"])
-        : theme === "dark" ? ["#3f5468", "#6b5a3d", "#3d5a49"] : ["#a9c4dc", "#e3cfae", "#a8d2b6"];
+      const fill =
+        swatch === "known"
+          ? theme === "dark"
+            ? ["#4d5766"]
+            : ["#ccd4e0"]
+          : theme === "dark"
+            ? ["#3f5468", "#6b5a3d", "#3d5a49"]
+            : ["#a9c4dc", "#e3cfae", "#a8d2b6"];
       fill.forEach((color, i) => {
         context.fillStyle = color;
-        context.fillRect(2 + i * 22 / fill.length, 2, 22 / fill.length, 10);
+        context.fillRect(2 + (i * 22) / fill.length, 2, 22 / fill.length, 10);
       });
       return;
     }
@@ -165,7 +231,7 @@ export class Legend {
     const reason = swatch.reason;
     context.strokeStyle = reason === undefined ? colors[swatch.color] : reasonColor(reason, theme);
     context.lineWidth = swatch.width ?? 3.2;
-    const dash = kDashes[reason === undefined ? swatch.dash ?? 0 : reasonDash(reason)];
+    const dash = kDashes[reason === undefined ? (swatch.dash ?? 0) : reasonDash(reason)];
     context.setLineDash(dash[1] > 0 ? dash : []);
     context.beginPath();
     context.moveTo(1, 7);

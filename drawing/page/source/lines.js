@@ -4,11 +4,11 @@ import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineS
 import { fatLineMaterial } from "./fat_line.js";
 import { kDashes } from "./palette.js";
 
-export const kMostFat = 24000;  // segments of one batch
+export const kMostFat = 24000; // segments of one batch
 
 export class LineBatch {
-  /// width in pixels; dash: index of kDashes; thinOnly: never fat; through: also drawn over what is in front; under:
-  /// leaves no depth, so that what is drawn later at the same place covers it.
+  /// width in pixels; dash: index of kDashes; thinOnly: never fat; through: also drawn over what is in front;
+  /// under: leaves no depth, so that what is drawn later at the same place covers it.
   constructor({ width = 2, dash = 0, thinOnly = false, through = false, under = false, order = 2 } = {}) {
     this.object = new Group();
     this.thinOnly = thinOnly;
@@ -42,10 +42,12 @@ export class LineBatch {
     const { position, other } = this.drawn.geometry.attributes;
     if (!fat) position.array.set(positions.subarray(0, 6 * count));
     else {
-      const here = position.array, there = other.array;
+      const here = position.array,
+        there = other.array;
       for (let i = 0, k = 0; i < 6 * count; i += 6, k += 12) {
         for (let axis = 0; axis < 3; ++axis) {
-          const a = positions[i + axis], b = positions[i + 3 + axis];
+          const a = positions[i + axis],
+            b = positions[i + 3 + axis];
           here[k + axis] = here[k + 3 + axis] = there[k + 6 + axis] = there[k + 9 + axis] = a;
           here[k + 6 + axis] = here[k + 9 + axis] = there[k + axis] = there[k + 3 + axis] = b;
         }
@@ -79,10 +81,14 @@ export class LineBatch {
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * vertices), 3));
     if (fat) {
       geometry.setAttribute("other", new BufferAttribute(new Float32Array(3 * vertices), 3));
-      const side = new Int8Array(4 * vertices), index = new Uint32Array(6 * this.capacity);
+      const side = new Int8Array(4 * vertices),
+        index = new Uint32Array(6 * this.capacity);
       for (let i = 0; i < this.capacity; ++i) {
         side.set([-1, 0, 0, 0, 1, 0, 0, 0, -1, 1, 0, 0, 1, 1, 0, 0], 16 * i);
-        index.set([0, 1, 2, 2, 1, 3].map((k) => 4 * i + k), 6 * i);
+        index.set(
+          [0, 1, 2, 2, 1, 3].map((k) => 4 * i + k),
+          6 * i,
+        );
       }
       geometry.setAttribute("side", new BufferAttribute(side, 4));
       geometry.setIndex(new BufferAttribute(index, 1));

@@ -15,7 +15,9 @@ export function parseHash(hash) {
 }
 
 export function formatHash({ step, edge, polygon, view }) {
-  const fields = Object.entries({ step, edge, polygon, view }).filter(([, value]) => value !== undefined && value !== null);
+  const fields = Object.entries({ step, edge, polygon, view }).filter(
+    ([, value]) => value !== undefined && value !== null,
+  );
   return fields.length ? `#${fields.map(([name, value]) => `${name}=${value}`).join("&")}` : "";
 }
 
@@ -47,8 +49,12 @@ export class DeepLinks {
       this.timer = null;
       const { app } = this;
       const { edge, polygon, point } = app.selection ?? {};
-      this.written = formatHash({ step: app.isRun ? app.step : undefined, edge, polygon: polygon ?? point,
-        view: app.viewer.view && app.viewer.view !== "iso" ? app.viewer.view : undefined });
+      this.written = formatHash({
+        step: app.isRun ? app.step : undefined,
+        edge,
+        polygon: polygon ?? point,
+        view: app.viewer.view && app.viewer.view !== "iso" ? app.viewer.view : undefined,
+      });
       if (this.written === location.hash) return;
       history.replaceState(null, "", this.written || location.pathname + location.search);
     }, 400);

@@ -23,7 +23,7 @@ import { testInterface } from "./interface.js";
 async function start() {
   const progress = byId("progress");
   const data = parseContainer(await gunzip(bytesOfBase64(byId("data").textContent.trim())));
-  byId("data").textContent = "";  // some megabytes that nobody needs any more
+  byId("data").textContent = ""; // some megabytes that nobody needs any more
   byId("program").textContent = "";
   byId("app").hidden = false;
   byId("time").hidden = data.head.kind !== "run";
@@ -31,7 +31,9 @@ async function start() {
   const app = new App(data, byId("view"));
   const links = new DeepLinks(app);
   if (app.isRun && links.asked.step === undefined) {
-    await app.timeline.index((share) => { progress.textContent = `Reading the run … ${Math.round(100 * share)} %`; });
+    await app.timeline.index((share) => {
+      progress.textContent = `Reading the run … ${Math.round(100 * share)} %`;
+    });
   }
   const events = new Events(data);
   const player = new Player(app);
@@ -44,7 +46,13 @@ async function start() {
   const selection = new SelectionPanel(app, events);
   ui.legend = new Legend(app);
   const steps = app.isRun ? new StepPanel(app, events, selection) : null;
-  byId("panel").append(searchPanel(app), selection.root, ui.legend.root, ...(steps ? [steps.root] : []), aboutPanel(app));
+  byId("panel").append(
+    searchPanel(app),
+    selection.root,
+    ui.legend.root,
+    ...(steps ? [steps.root] : []),
+    aboutPanel(app),
+  );
   ui.search = byId("search");
   if (app.isRun) {
     ui.bar = new TimeBar(app, player, events, byId("time"));
@@ -67,8 +75,10 @@ async function start() {
 /// Goes through polygons, or open edges, in the order of their identities.
 function selectNext(app, kind, by) {
   const { state } = app;
-  const ids = kind === "polygon" ? [...state.polygons.keys()]
-    : [...state.edges].filter(([, { partner }]) => partner === 0).map(([id]) => id);
+  const ids =
+    kind === "polygon"
+      ? [...state.polygons.keys()]
+      : [...state.edges].filter(([, { partner }]) => partner === 0).map(([id]) => id);
   if (ids.length === 0) {
     app.say(kind === "polygon" ? "there is no polygon" : "no edge is open");
     return;

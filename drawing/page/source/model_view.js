@@ -14,16 +14,16 @@ export class ModelView {
     this.group = new Group();
     this.faces = new Faces(frame);
     this.shared = new LineBatch({ width: 1.8 });
-    this.open = new Map();  // code → LineBatch
+    this.open = new Map(); // code → LineBatch
     this.corners = new PointBatch({ size: 7 });
     this.points = new PointBatch({ size: 7, ring: 0.5 });
     this.group.add(this.faces.mesh, this.shared.object, this.corners.object, this.points.object);
     viewer.scene.add(this.group);
-    this.hidden = new Set();   // names of the legend's rows that are switched off
-    this.stressed = null;      // the row that is stressed, the others dim
+    this.hidden = new Set(); // names of the legend's rows that are switched off
+    this.stressed = null; // the row that is stressed, the others dim
     this.clipping = null;
-    this.level = 0;            // of quality, see quality.js
-    this.figures = null;       // counts and lengths, for the legend
+    this.level = 0; // of quality, see quality.js
+    this.figures = null; // counts and lengths, for the legend
     viewer.before.push((level) => {
       if (level !== this.level) {
         this.level = level;
@@ -49,7 +49,7 @@ export class ModelView {
     this.faces.show(state);
     this.#showEdges(state);
     const corners = findCorners(state, this.frame);
-    this.corners.size = corners.length > 3 * 1500 ? 3.5 : 7;  // many would hide what they are corners of
+    this.corners.size = corners.length > 3 * 1500 ? 3.5 : 7; // many would hide what they are corners of
     this.corners.set(corners);
     const places = new Float32Array(3 * state.points.size);
     this.pointIds = [];
@@ -59,13 +59,18 @@ export class ModelView {
     }
     this.points.set(places);
     let area = 0;
-    let known = 0;  // beforehand
+    let known = 0; // beforehand
     for (const polygon of state.polygons.values()) {
       area += derived(polygon, this.frame).area;
       known += polygon.initial ? 1 : 0;
     }
-    Object.assign(this.figures, { polygons: state.polygons.size, known, area, corners: this.corners.count,
-      points: state.points.size });
+    Object.assign(this.figures, {
+      polygons: state.polygons.size,
+      known,
+      area,
+      corners: this.corners.count,
+      points: state.points.size,
+    });
     this.#apply();
   }
 
@@ -77,7 +82,7 @@ export class ModelView {
       this.codes = new Uint8Array(this.ends.length / 6);
       this.ids = new Float64Array(this.ends.length / 6);
     }
-    const classes = new Map();  // code → {count, length}; −1: shared
+    const classes = new Map(); // code → {count, length}; −1: shared
     let n = 0;
     for (const polygon of state.polygons.values()) {
       const { edges, partners } = polygon.outline;
@@ -85,15 +90,20 @@ export class ModelView {
       for (let i = 0; i < edges.length; ++i) {
         const partner = partners[i];
         if (partner !== 0 && partner < edges[i] && state.edges.has(partner)) continue;
-        const code = partner !== 0 ? 255 : state.refusals.get(edges[i])?.code ?? kUnknown;
-        const a = 3 * i, b = 3 * next[i];
+        const code = partner !== 0 ? 255 : (state.refusals.get(edges[i])?.code ?? kUnknown);
+        const a = 3 * i,
+          b = 3 * next[i];
         for (let axis = 0; axis < 3; ++axis) {
           this.ends[6 * n + axis] = scene[a + axis];
           this.ends[6 * n + 3 + axis] = scene[b + axis];
         }
-        const length = Math.hypot(scene[b] - scene[a], scene[b + 1] - scene[a + 1], scene[b + 2] - scene[a + 2]);
+        const length = Math.hypot(
+          scene[b] - scene[a],
+          scene[b + 1] - scene[a + 1],
+          scene[b + 2] - scene[a + 2],
+        );
         let figures = classes.get(code);
-        if (!figures) classes.set(code, figures = { count: 0, length: 0 });
+        if (!figures) classes.set(code, (figures = { count: 0, length: 0 }));
         ++figures.count;
         figures.length += length;
         this.codes[n] = code;
@@ -102,7 +112,9 @@ export class ModelView {
       }
     }
     this.edgeCount = n;
-    const gathered = new Map([...classes].map(([code, { count }]) => [code, { ends: new Float32Array(6 * count), at: 0 }]));
+    const gathered = new Map(
+      [...classes].map(([code, { count }]) => [code, { ends: new Float32Array(6 * count), at: 0 }]),
+    );
     for (let i = 0; i < n; ++i) {
       const into = gathered.get(this.codes[i]);
       into.ends.set(this.ends.subarray(6 * i, 6 * i + 6), into.at);
@@ -121,7 +133,12 @@ export class ModelView {
     const none = { count: 0, length: 0 };
     const open = new Map([...classes].filter(([code]) => code !== 255));
     const sum = (key) => [...open.values()].reduce((total, figures) => total + figures[key], 0);
-    this.figures = { shared: classes.get(255) ?? none, open, openCount: sum("count"), openLength: sum("length") };
+    this.figures = {
+      shared: classes.get(255) ?? none,
+      open,
+      openCount: sum("count"),
+      openLength: sum("length"),
+    };
   }
 
   setHidden(name, hidden) {
@@ -162,7 +179,8 @@ export class ModelView {
     this.section = section && new Plane(new Vector3(...section.normal), section.constant);
     this.clipping = section ? [this.section] : null;
     this.faces.material.clippingPlanes = this.clipping;
-    for (const batch of [this.shared, this.corners, this.points, ...this.open.values()]) batch.setClipping(this.clipping);
+    for (const batch of [this.shared, this.corners, this.points, ...this.open.values()])
+      batch.setClipping(this.clipping);
     this.viewer.invalidate();
   }
   isCut(place) {

@@ -12,7 +12,8 @@ class Outline {
   }
   get cycles() {
     return this.bounds.map(({ hole, start, end }) => ({
-      hole, start,
+      hole,
+      start,
       edges: this.edges.subarray(start, end),
       partners: this.partners.subarray(start, end),
       positions: this.positions.subarray(3 * start, 3 * end),
@@ -42,12 +43,12 @@ function grow(size) {
   positions = larger(positions, 3 * capacity);
 }
 
-/// Reads the outline that follows `last` in the stream. Calls written(edge, partner) for each vertex that was not
-/// copied, and dropped(edge) for each of `last` that was not.
+/// Reads the outline that follows `last` in the stream. Calls written(edge, partner) for each vertex that was
+/// not copied, and dropped(edge) for each of `last` that was not.
 export function readOutline(reader, last, written, dropped) {
   const cycles = [];
   const copied = last === kNoOutline ? kNothing : new Uint8Array(last.edges.length);
-  let lastIndex = null;  // of edge identities, made when needed
+  let lastIndex = null; // of edge identities, made when needed
   const indexInLast = (edge) => {
     if (last.edges.length < 24) return last.edges.indexOf(edge);
     if (!lastIndex) {
@@ -57,7 +58,7 @@ export function readOutline(reader, last, written, dropped) {
     return lastIndex.get(edge) ?? -1;
   };
   let n = 0;
-  let next = 0;  // index just after the last copied one
+  let next = 0; // index just after the last copied one
   const cycleCount = reader.unsigned();
   for (let c = 0; c < cycleCount; ++c) {
     const hole = reader.unsigned() === 1;
@@ -69,7 +70,8 @@ export function readOutline(reader, last, written, dropped) {
       if (n + length > capacity) grow(n + length);
       if (head % 2 === 0) {
         const from = next + reader.signed();
-        if (from < 0 || from + length > last.edges.length) throw new RangeError("an outline copies what is not there");
+        if (from < 0 || from + length > last.edges.length)
+          throw new RangeError("an outline copies what is not there");
         edges.set(last.edges.subarray(from, from + length), n);
         partners.set(last.partners.subarray(from, from + length), n);
         positions.set(last.positions.subarray(3 * from, 3 * (from + length)), 3 * n);
@@ -97,4 +99,3 @@ export function readOutline(reader, last, written, dropped) {
   for (let i = 0; i < copied.length; ++i) if (!copied[i]) dropped(last.edges[i]);
   return new Outline(edges.slice(0, n), partners.slice(0, n), positions.slice(0, 3 * n), cycles);
 }
-

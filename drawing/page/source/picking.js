@@ -2,7 +2,7 @@
 // What is under the pointer: an edge within some pixels before a face; nothing that is hidden.
 import { Vector3 } from "three";
 
-const kReach = 6;  // pixels
+const kReach = 6; // pixels
 
 export class Picker {
   constructor(viewer, model) {
@@ -18,7 +18,7 @@ export class Picker {
 
   #ray(x, y) {
     const { camera, width, height } = this.viewer;
-    const ndc = [2 * x / width - 1, 1 - 2 * y / height];
+    const ndc = [(2 * x) / width - 1, 1 - (2 * y) / height];
     const near = new Vector3(...ndc, -1).unproject(camera);
     const direction = new Vector3(...ndc, 1).unproject(camera).sub(near).normalize();
     return { origin: near, direction };
@@ -30,21 +30,37 @@ export class Picker {
     if (!this.model.isShown("polygons")) return null;
     const p = faces.mesh.geometry.attributes.position.array;
     const index = faces.mesh.geometry.index.array;
-    const { x: ox, y: oy, z: oz } = origin, { x: dx, y: dy, z: dz } = direction;
-    let nearest = most, triangle = -1;
+    const { x: ox, y: oy, z: oz } = origin,
+      { x: dx, y: dy, z: dz } = direction;
+    let nearest = most,
+      triangle = -1;
     const place = new Vector3();
     for (let t = 0; t < faces.count; ++t) {
-      const i = 3 * index[3 * t], j = 3 * index[3 * t + 1], k = 3 * index[3 * t + 2];
-      const ax = p[i], ay = p[i + 1], az = p[i + 2];
-      const ux = p[j] - ax, uy = p[j + 1] - ay, uz = p[j + 2] - az;
-      const vx = p[k] - ax, vy = p[k + 1] - ay, vz = p[k + 2] - az;
-      const hx = dy * vz - dz * vy, hy = dz * vx - dx * vz, hz = dx * vy - dy * vx;
+      const i = 3 * index[3 * t],
+        j = 3 * index[3 * t + 1],
+        k = 3 * index[3 * t + 2];
+      const ax = p[i],
+        ay = p[i + 1],
+        az = p[i + 2];
+      const ux = p[j] - ax,
+        uy = p[j + 1] - ay,
+        uz = p[j + 2] - az;
+      const vx = p[k] - ax,
+        vy = p[k + 1] - ay,
+        vz = p[k + 2] - az;
+      const hx = dy * vz - dz * vy,
+        hy = dz * vx - dx * vz,
+        hz = dx * vy - dy * vx;
       const det = ux * hx + uy * hy + uz * hz;
       if (det === 0) continue;
-      const sx = ox - ax, sy = oy - ay, sz = oz - az;
+      const sx = ox - ax,
+        sy = oy - ay,
+        sz = oz - az;
       const b = (sx * hx + sy * hy + sz * hz) / det;
       if (b < 0 || b > 1) continue;
-      const qx = sy * uz - sz * uy, qy = sz * ux - sx * uz, qz = sx * uy - sy * ux;
+      const qx = sy * uz - sz * uy,
+        qy = sz * ux - sx * uz,
+        qz = sx * uy - sy * ux;
       const c = (dx * qx + dy * qy + dz * qz) / det;
       if (c < 0 || b + c > 1) continue;
       const distance = (vx * qx + vy * qy + vz * qz) / det;
@@ -54,7 +70,11 @@ export class Picker {
       triangle = t;
     }
     if (triangle < 0) return null;
-    return { polygon: faces.owner(triangle), place: origin.clone().addScaledVector(direction, nearest), nearest };
+    return {
+      polygon: faces.owner(triangle),
+      place: origin.clone().addScaledVector(direction, nearest),
+      nearest,
+    };
   }
 
   /// Is a place hidden by a face? One that it lies on does not count.
@@ -71,27 +91,34 @@ export class Picker {
     const { camera, width, height } = this.viewer;
     const m = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
     const shown = Array.from({ length: 256 }, (_, code) =>
-      (code === 255 ? this.model.isShown("shared") : this.model.isOpenShown(code)));
+      code === 255 ? this.model.isShown("shared") : this.model.isOpenShown(code),
+    );
     const found = [];
-    const clip = (k) => [0, 1, 3].map((r) => m[r] * ends[k] + m[4 + r] * ends[k + 1] + m[8 + r] * ends[k + 2] + m[12 + r]);
+    const clip = (k) =>
+      [0, 1, 3].map((r) => m[r] * ends[k] + m[4 + r] * ends[k + 1] + m[8 + r] * ends[k + 2] + m[12 + r]);
     for (let i = 0; i < edgeCount; ++i) {
       if (!shown[codes[i]]) continue;
-      const a = clip(6 * i), b = clip(6 * i + 3);
+      const a = clip(6 * i),
+        b = clip(6 * i + 3);
       if (a[2] <= 0 || b[2] <= 0) continue;
-      const ax = (a[0] / a[2] + 1) / 2 * width - x, ay = (1 - a[1] / a[2]) / 2 * height - y;
-      const bx = (b[0] / b[2] + 1) / 2 * width - x, by = (1 - b[1] / b[2]) / 2 * height - y;
-      const ex = bx - ax, ey = by - ay;
+      const ax = ((a[0] / a[2] + 1) / 2) * width - x,
+        ay = ((1 - a[1] / a[2]) / 2) * height - y;
+      const bx = ((b[0] / b[2] + 1) / 2) * width - x,
+        by = ((1 - b[1] / b[2]) / 2) * height - y;
+      const ex = bx - ax,
+        ey = by - ay;
       const square = ex * ex + ey * ey;
       const s = square > 0 ? Math.max(0, Math.min(1, -(ax * ex + ay * ey) / square)) : 0;
       const distance = Math.hypot(ax + s * ex, ay + s * ey);
       if (distance > kReach) continue;
       // s is along the edge on the screen; along the edge itself perspective shifts it
-      const t = s * a[2] / (s * a[2] + (1 - s) * b[2]);
+      const t = (s * a[2]) / (s * a[2] + (1 - s) * b[2]);
       found.push({ i, distance, t });
     }
     found.sort((p, q) => p.distance - q.distance);
     for (const { i, t } of found.slice(0, 24)) {
-      const a = new Vector3().fromArray(ends, 6 * i), b = new Vector3().fromArray(ends, 6 * i + 3);
+      const a = new Vector3().fromArray(ends, 6 * i),
+        b = new Vector3().fromArray(ends, 6 * i + 3);
       const place = a.lerp(b, t);
       if (this.model.isCut(place) || this.#isHidden(place)) continue;
       return { edge: this.#sideOf(ids[i], place), place };
@@ -118,7 +145,8 @@ export class Picker {
     const { points, pointIds } = this.model;
     if (!this.model.isShown("points") || !points.count) return null;
     const { array } = points.object.geometry.attributes.position;
-    let nearest = kReach, found = -1;
+    let nearest = kReach,
+      found = -1;
     for (let i = 0; i < points.count; ++i) {
       const [px, py, depth] = this.viewer.project([array[3 * i], array[3 * i + 1], array[3 * i + 2]]);
       const distance = Math.hypot(px - x, py - y);

@@ -6,7 +6,8 @@ import { themeColors } from "./palette.js";
 /// A PNG, as a Blob.
 export function takePicture(app, rulers) {
   const { viewer, theme } = app;
-  viewer.render({ level: 0, scale: 2 / viewer.pixelRatio });  // in the same task as it is copied: the drawing buffer is not kept
+  // In the same task as it is copied: the drawing buffer is not kept.
+  viewer.render({ level: 0, scale: 2 / viewer.pixelRatio });
   const source = viewer.canvas;
   const canvas = document.createElement("canvas");
   canvas.width = source.width;
@@ -16,7 +17,8 @@ export function takePicture(app, rulers) {
   const ratio = viewer.renderer.getPixelRatio();
   context.scale(ratio, ratio);
   const colors = themeColors(theme);
-  const height = source.height / ratio, width = source.width / ratio;
+  const height = source.height / ratio,
+    width = source.width / ratio;
   context.fillStyle = context.strokeStyle = colors.shared;
   context.font = "13px system-ui, sans-serif";
   context.textBaseline = "top";

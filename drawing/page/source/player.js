@@ -44,7 +44,7 @@ export class Player {
   #frame() {
     if (!this.playing) return;
     const now = performance.now();
-    this.owed += Math.min(now - this.last, 500) / 1000 * this.speed;
+    this.owed += (Math.min(now - this.last, 500) / 1000) * this.speed;
     this.last = now;
     const steps = Math.floor(this.owed);
     if (steps > 0) {

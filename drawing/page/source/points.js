@@ -28,14 +28,24 @@ const kFragmentShader = `
   }`;
 
 export class PointBatch {
-  /// size: diameter in pixels; ring: share of it that is left empty inside; cross: half the width of its strokes, a share of the size
+  /// size: diameter in pixels; ring: share of it that is left empty inside; cross: half the width of its
+  /// strokes, a share of the size
   constructor({ size = 6, ring = 0, cross = 0, through = false, order = 3 } = {}) {
     this.size = size;
-    this.material = new ShaderMaterial({ vertexShader: kVertexShader, fragmentShader: kFragmentShader, clipping: true,
-      depthTest: !through, depthWrite: !through,
-      uniforms: { size: { value: size }, tint: { value: { x: 0, y: 0, z: 0 } }, opacity: { value: 1 },
+    this.material = new ShaderMaterial({
+      vertexShader: kVertexShader,
+      fragmentShader: kFragmentShader,
+      clipping: true,
+      depthTest: !through,
+      depthWrite: !through,
+      uniforms: {
+        size: { value: size },
+        tint: { value: { x: 0, y: 0, z: 0 } },
+        opacity: { value: 1 },
         ring: { value: ring / 2 },
-        cross_: { value: cross } } });
+        cross_: { value: cross },
+      },
+    });
     this.object = new Points(new BufferGeometry(), this.material);
     this.object.frustumCulled = false;
     this.object.renderOrder = order;
@@ -62,7 +72,10 @@ export class PointBatch {
       this.capacity = Math.max(16, Math.ceil(1.4 * count));
       this.object.geometry.dispose();
       this.object.geometry = new BufferGeometry();
-      this.object.geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * this.capacity), 3));
+      this.object.geometry.setAttribute(
+        "position",
+        new BufferAttribute(new Float32Array(3 * this.capacity), 3),
+      );
     }
     this.count = count;
     this.object.visible = count > 0;

@@ -1,18 +1,19 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-// How finely to draw. Graphics hardware draws all at once; where a processor does its work, less is drawn while
-// something moves, and all of it, smoothly, once it rests.
+// How finely to draw. Graphics hardware draws all at once; where a processor does its work, less is drawn
+// while something moves, and all of it, smoothly, once it rests.
 
-const kFluent = 45, kQuick = 14;  // milliseconds of a frame: above, less is drawn; below, more
+const kFluent = 45,
+  kQuick = 14; // milliseconds of a frame: above, less is drawn; below, more
 const kMostLevel = 3;
-const kMostFine = 450;            // milliseconds that a fine frame may take
-const kRest = 220;                // milliseconds after which a scene counts as resting
+const kMostFine = 450; // milliseconds that a fine frame may take
+const kRest = 220; // milliseconds after which a scene counts as resting
 
 /// Levels: 0 all; 1 at fewer pixels; 2 without points; 3 without the lines of large models.
 export class Quality {
   constructor() {
     this.software = isSoftware();
     this.level = 0;
-    this.cost = 0;  // of a frame of level 0, in milliseconds
+    this.cost = 0; // of a frame of level 0, in milliseconds
     this.last = -Infinity;
   }
 

@@ -17,25 +17,47 @@ export class Readout {
 
   show() {
     const { app } = this;
-    const { head, arrays, model: { figures }, step } = app;
+    const {
+      head,
+      arrays,
+      model: { figures },
+      step,
+    } = app;
     const strong = (text) => element("b", {}, text);
     const { resolution } = head;
     this.figures.replaceChildren(
-      strong(plural(figures.polygons, "polygon")), ` ${number(figures.area)} in area · `,
-      strong(count(figures.shared.count)), " shared · ",
+      strong(plural(figures.polygons, "polygon")),
+      ` ${number(figures.area)} in area · `,
+      strong(count(figures.shared.count)),
+      " shared · ",
       ...(figures.openCount > 0
         ? [strong(plural(figures.openCount, "open edge")), ` ${length(figures.openLength, resolution)}`]
-        : [figures.polygons > 0 ? strong("closed") : "nothing open"]));
+        : [figures.polygons > 0 ? strong("closed") : "nothing open"]),
+    );
     if (!app.isRun) return;
     const finish = head.finished && step === head.steps;
     const mode = arrays.mode?.[step - 1];
-    const words = finish ? "finished" : mode === undefined ? null : mode === 255 ? "run ended" : head.modes[mode];
-    this.now.replaceChildren(`step ${count(step)} of ${count(head.steps)}`, words === null ? ""
-      : element("span", { class: "chip", style: { borderColor: modeColor(finish ? 255 : mode) } }, words));
+    const words = finish
+      ? "finished"
+      : mode === undefined
+        ? null
+        : mode === 255
+          ? "run ended"
+          : head.modes[mode];
+    this.now.replaceChildren(
+      `step ${count(step)} of ${count(head.steps)}`,
+      words === null
+        ? ""
+        : element("span", { class: "chip", style: { borderColor: modeColor(finish ? 255 : mode) } }, words),
+    );
     const clearance = arrays.clearance?.[step - 1];
     const met = app.run.rays.count;
-    this.robot.replaceChildren(strong(plural(met, "reading")), " in this set",
-      ...(arrays.clearance ? [" · clearance ", strong(Number.isFinite(clearance) ? length(clearance, resolution) : "none near")]
-        : []));
+    this.robot.replaceChildren(
+      strong(plural(met, "reading")),
+      " in this set",
+      ...(arrays.clearance
+        ? [" · clearance ", strong(Number.isFinite(clearance) ? length(clearance, resolution) : "none near")]
+        : []),
+    );
   }
 }

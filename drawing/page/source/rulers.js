@@ -36,10 +36,12 @@ export class Rulers {
 
 export function drawTriad(context, camera, theme) {
   context.clearRect(0, 0, 64, 64);
-  const axes = ["x", "y", "z"].map((name, i) => {
-    const v = new Vector3().setComponent(i, 1).transformDirection(camera.matrixWorldInverse);
-    return { name, v, color: ["#d04a3a", "#3f9a4a", "#3f78d8"][i] };
-  }).sort((a, b) => a.v.z - b.v.z);
+  const axes = ["x", "y", "z"]
+    .map((name, i) => {
+      const v = new Vector3().setComponent(i, 1).transformDirection(camera.matrixWorldInverse);
+      return { name, v, color: ["#d04a3a", "#3f9a4a", "#3f78d8"][i] };
+    })
+    .sort((a, b) => a.v.z - b.v.z);
   context.font = "600 11px system-ui, sans-serif";
   context.textAlign = "center";
   context.textBaseline = "middle";

@@ -1,6 +1,17 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-// Everything of a run that is not the model: robot, rays of the current set, path so far, what the robot is up to.
-import { CapsuleGeometry, Color, Group, Matrix4, Mesh, Quaternion, ShaderMaterial, SphereGeometry, Vector3 } from "three";
+// Everything of a run that is not the model: robot, rays of the current set, path so far, what the robot is
+// up to.
+import {
+  CapsuleGeometry,
+  Color,
+  Group,
+  Matrix4,
+  Mesh,
+  Quaternion,
+  ShaderMaterial,
+  SphereGeometry,
+  Vector3,
+} from "three";
 import { LineBatch } from "./lines.js";
 import { PointBatch } from "./points.js";
 import { derived, edgeEnds } from "./geometry.js";
@@ -8,7 +19,7 @@ import { jointCount, linkPoses, sensorPoses } from "./kinematics.js";
 import { themeColors } from "./palette.js";
 
 const kMostPath = 12000;
-const kTrail = 40;  // the last sets of the path, that stand out
+const kTrail = 40; // the last sets of the path, that stand out
 
 // Lit from the camera, like the faces; three's own lit materials would weigh more than they are worth here.
 const kVertexShader = `varying vec3 n; void main() { n = normalMatrix * normal;
@@ -24,31 +35,42 @@ export class RunView {
     this.viewer = viewer;
     this.robot = data.head.robot ?? null;
     this.sets = data.head.run.sets;
-    this.joints = this.robot ? jointCount(this.robot) : 0;  // of a configuration
+    this.joints = this.robot ? jointCount(this.robot) : 0; // of a configuration
     this.group = new Group();
     viewer.scene.add(this.group);
-    this.material = new ShaderMaterial({ vertexShader: kVertexShader, fragmentShader: kFragmentShader,
-      uniforms: { tint: { value: { x: 0, y: 0, z: 0 } } } });
+    this.material = new ShaderMaterial({
+      vertexShader: kVertexShader,
+      fragmentShader: kFragmentShader,
+      uniforms: { tint: { value: { x: 0, y: 0, z: 0 } } },
+    });
     this.parts = {
-      path: [this.path = new LineBatch({ thinOnly: true })],
-      trail: [this.trail = new LineBatch({ width: 2.6, order: 3 })],
-      rays: [this.rays = new LineBatch({ width: 2, order: 4 }), this.hits = new PointBatch({ size: 7, order: 5 }),
-        this.misses = new LineBatch({ thinOnly: true, order: 4 }), this.raysBehind = new LineBatch({ width: 2, through: true, order: 4 })],
-      targets: [this.targets = new PointBatch({ size: 9, ring: 0.55, through: true, order: 6 })],
-      aim: [this.aim = new LineBatch({ width: 1.6, dash: 2, through: true, order: 6 }),
-        this.goal = new PointBatch({ size: 13, ring: 0.6, through: true, order: 6 }),
-        this.place = new PointBatch({ size: 6, through: true, order: 6 })],
-      way: [this.way = new LineBatch({ width: 2, dash: 1, through: true, order: 6 })],
-      current: [this.current = new LineBatch({ width: 11, under: true, order: 0.5 })],
-      marks: [this.marks = new PointBatch({ size: 13, cross: 0.11, through: true, order: 6 })],
-      slice: [this.slice = new LineBatch({ width: 2, order: 5 })],
+      path: [(this.path = new LineBatch({ thinOnly: true }))],
+      trail: [(this.trail = new LineBatch({ width: 2.6, order: 3 }))],
+      rays: [
+        (this.rays = new LineBatch({ width: 2, order: 4 })),
+        (this.hits = new PointBatch({ size: 7, order: 5 })),
+        (this.misses = new LineBatch({ thinOnly: true, order: 4 })),
+        (this.raysBehind = new LineBatch({ width: 2, through: true, order: 4 })),
+      ],
+      targets: [(this.targets = new PointBatch({ size: 9, ring: 0.55, through: true, order: 6 }))],
+      aim: [
+        (this.aim = new LineBatch({ width: 1.6, dash: 2, through: true, order: 6 })),
+        (this.goal = new PointBatch({ size: 13, ring: 0.6, through: true, order: 6 })),
+        (this.place = new PointBatch({ size: 6, through: true, order: 6 })),
+      ],
+      way: [(this.way = new LineBatch({ width: 2, dash: 1, through: true, order: 6 }))],
+      current: [(this.current = new LineBatch({ width: 11, under: true, order: 0.5 }))],
+      marks: [(this.marks = new PointBatch({ size: 13, cross: 0.11, through: true, order: 6 }))],
+      slice: [(this.slice = new LineBatch({ width: 2, order: 5 }))],
     };
     this.body = new Group();
     this.bones = new LineBatch({ width: 3, order: 4 });
     this.control = new PointBatch({ size: 7, through: true, order: 7 });
-    this.halo = new PointBatch({ size: 19, ring: 0.76, through: true, order: 7 });  // the robot, wherever it is
+    this.halo = new PointBatch({ size: 19, ring: 0.76, through: true, order: 7 }); // it shows through
     this.group.add(this.body, this.bones.object, this.control.object, this.halo.object);
-    Object.values(this.parts).flat().forEach((part) => this.group.add(part.object));
+    Object.values(this.parts)
+      .flat()
+      .forEach((part) => this.group.add(part.object));
     this.hidden = new Set();
     if (this.arrays.path) this.#makePath();
     if (this.robot) this.#makeBody();
@@ -66,7 +88,10 @@ export class RunView {
     this.stride = Math.ceil(this.sets / kMostPath);
     const coarse = new Float32Array(6 * Math.floor((this.sets - 1) / this.stride));
     for (let i = 0; i < coarse.length / 6; ++i) {
-      for (const [end, set] of [[0, i * this.stride], [3, (i + 1) * this.stride]]) {
+      for (const [end, set] of [
+        [0, i * this.stride],
+        [3, (i + 1) * this.stride],
+      ]) {
         coarse.set(this.places.subarray(3 * set, 3 * set + 3), 6 * i + end);
       }
     }
@@ -78,13 +103,16 @@ export class RunView {
       const group = new Group();
       group.matrixAutoUpdate = false;
       for (const { a, b, radius } of link.capsules) {
-        const from = new Vector3(...a), to = new Vector3(...b);
+        const from = new Vector3(...a),
+          to = new Vector3(...b);
         const length = from.distanceTo(to);
-        const shape = length > 0 ? new CapsuleGeometry(radius, length, 6, 16) : new SphereGeometry(radius, 20, 12);
+        const shape =
+          length > 0 ? new CapsuleGeometry(radius, length, 6, 16) : new SphereGeometry(radius, 20, 12);
         const mesh = new Mesh(shape, this.material);
         mesh.position.copy(from).add(to).multiplyScalar(0.5);
         const direction = to.sub(from).normalize();
-        if (length > 0) mesh.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), direction));
+        if (length > 0)
+          mesh.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), direction));
         group.add(mesh);
       }
       this.body.add(group);
@@ -93,14 +121,16 @@ export class RunView {
     // A point robot has no body; a ball of a fifth of the resolution stands for it.
     if (this.robot.links.every((link) => link.capsules.length === 0)) {
       this.links[this.robot.control_point.link].add(
-        new Mesh(new SphereGeometry(0.2 * this.head.resolution, 20, 12), this.material));
+        new Mesh(new SphereGeometry(0.2 * this.head.resolution, 20, 12), this.material),
+      );
     }
   }
 
   #makeReadings() {
     const { reading_count: counts, off_axis_reading: off } = this.arrays;
     this.firstReading = new Uint32Array((counts?.length ?? 0) + 1);
-    for (let s = 0; s < (counts?.length ?? 0); ++s) this.firstReading[s + 1] = this.firstReading[s] + counts[s];
+    for (let s = 0; s < (counts?.length ?? 0); ++s)
+      this.firstReading[s + 1] = this.firstReading[s] + counts[s];
     this.offAxis = new Map();
     off?.forEach((reading, i) => this.offAxis.set(reading, i));
   }
@@ -126,9 +156,19 @@ export class RunView {
     const colors = themeColors(theme);
     const { r, g, b } = new Color(colors.robot).convertLinearToSRGB();
     this.material.uniforms.tint.value = { x: r, y: g, z: b };
-    const of = { path: "path", trail: "trail", rays: "ray", targets: "target", aim: "aim", way: "way", current: "current",
-      slice: "slice", marks: "mark" };
-    for (const [name, color] of Object.entries(of)) this.parts[name].forEach((part) => part.setColor(colors[color]));
+    const of = {
+      path: "path",
+      trail: "trail",
+      rays: "ray",
+      targets: "target",
+      aim: "aim",
+      way: "way",
+      current: "current",
+      slice: "slice",
+      marks: "mark",
+    };
+    for (const [name, color] of Object.entries(of))
+      this.parts[name].forEach((part) => part.setColor(colors[color]));
     this.misses.setColor(colors.miss);
     this.bones.setColor(colors.robot);
     this.control.setColor(colors.robot);
@@ -161,19 +201,24 @@ export class RunView {
     });
     const bones = [];
     const origin = (pose) => new Vector3().setFromMatrixPosition(pose).toArray();
-    // Links without a body are drawn as lines, but for gantries: prismatic joints from the world are only numbers.
+    // Links without a body are drawn as lines, but for gantries: prismatic joints from the world are only
+    // numbers.
     this.robot.links.forEach((link, i) => {
-      if (link.parent < 0 || link.kind === "prismatic" || this.robot.links[link.parent].capsules.length > 0) return;
+      if (link.parent < 0 || link.kind === "prismatic" || this.robot.links[link.parent].capsules.length > 0)
+        return;
       if (poses[i].equals(poses[link.parent])) return;
       bones.push(...origin(poses[link.parent]), ...origin(poses[i]));
     });
     this.bones.set(Float32Array.from(bones));
-    const control = new Vector3(...this.robot.control_point.position)
-      .applyMatrix4(poses[this.robot.control_point.link] ?? new Matrix4());
+    const control = new Vector3(...this.robot.control_point.position).applyMatrix4(
+      poses[this.robot.control_point.link] ?? new Matrix4(),
+    );
     this.#showControl(Float32Array.from(control.toArray()));
 
     const sensors = sensorPoses(this.robot, poses);
-    const rays = [], hits = [], misses = [];
+    const rays = [],
+      hits = [],
+      misses = [];
     const met = new Set();
     for (const { sensor, range, index } of this.readings(step)) {
       if (!sensors[sensor]) continue;
@@ -188,7 +233,13 @@ export class RunView {
     sensors.forEach(({ position, axis, range }, i) => {
       if (met.has(i)) return;
       const length = Number.isFinite(range) ? range : 2 * this.head.resolution;
-      misses.push(...position.toArray(), ...position.clone().addScaledVector(axis, 0.5 * length).toArray());
+      misses.push(
+        ...position.toArray(),
+        ...position
+          .clone()
+          .addScaledVector(axis, 0.5 * length)
+          .toArray(),
+      );
     });
     this.rays.set(Float32Array.from(rays));
     this.raysBehind.set(Float32Array.from(rays));
@@ -211,10 +262,15 @@ export class RunView {
     };
     this.targets.set(places(intent.targets));
     const { aim } = intent;
-    const here = this.controlPlace ?? (this.places ? [...this.places.subarray(3 * this.set(state.step)).slice(0, 3)] : null);
+    const here =
+      this.controlPlace ??
+      (this.places ? [...this.places.subarray(3 * this.set(state.step)).slice(0, 3)] : null);
     if (aim) {
-      const target = this.frame.ofModel(aim.target), place = this.frame.ofModel(aim.place);
-      this.aim.set(Float32Array.from(here ? [...here, ...place, ...place, ...target] : [...place, ...target]));
+      const target = this.frame.ofModel(aim.target),
+        place = this.frame.ofModel(aim.place);
+      this.aim.set(
+        Float32Array.from(here ? [...here, ...place, ...place, ...target] : [...place, ...target]),
+      );
       this.goal.set(Float32Array.from(target));
       this.place.set(Float32Array.from(place));
     } else for (const part of this.parts.aim) part.set(new Float32Array(0));
@@ -232,10 +288,16 @@ export class RunView {
     const { event_step: steps, event_kind: kinds, event_a: ids, event_b: what } = this.arrays;
     const code = this.head.event_kinds.indexOf("mark");
     this.markEvents ??= Array.from(kinds ?? [], (kind, i) => i).filter((i) => kinds[i] === code);
-    const edges = new Set(), segments = new Set();
-    for (const i of this.markEvents) if (steps[i] <= state.step) (what[i] === 0 ? segments : edges).add(ids[i]);
+    const edges = new Set(),
+      segments = new Set();
+    for (const i of this.markEvents)
+      if (steps[i] <= state.step) (what[i] === 0 ? segments : edges).add(ids[i]);
     if (state.step === this.head.steps) {
-      const { unreachable_segments: s = [], unreachable_edges: u = [], unclosable_edges: c = [] } = this.head.run.marks ?? {};
+      const {
+        unreachable_segments: s = [],
+        unreachable_edges: u = [],
+        unclosable_edges: c = [],
+      } = this.head.run.marks ?? {};
       s.forEach((id) => segments.add(id));
       [...u, ...c].forEach((id) => edges.add(id));
     }
@@ -245,7 +307,8 @@ export class RunView {
       if (ends) places.push(...ends[0].map((x, i) => (x + ends[1][i]) / 2));
     }
     for (const id of segments) {
-      const polygon = state.polygons.get(id), point = state.points.get(id);
+      const polygon = state.polygons.get(id),
+        point = state.points.get(id);
       if (polygon) places.push(...derived(polygon, this.frame).inner);
       else if (point) places.push(...this.frame.ofModel(point.position));
     }

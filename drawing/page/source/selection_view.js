@@ -11,13 +11,23 @@ const kNothing = new Float32Array(0);
 export class SelectionView {
   constructor(app) {
     this.app = app;
-    this.veil = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ transparent: true, opacity: 0.28, side: DoubleSide,
-      depthWrite: false, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+    this.veil = new Mesh(
+      new BufferGeometry(),
+      new MeshBasicMaterial({
+        transparent: true,
+        opacity: 0.28,
+        side: DoubleSide,
+        depthWrite: false,
+        polygonOffset: true,
+        polygonOffsetFactor: 1,
+        polygonOffsetUnits: 1,
+      }),
+    );
     this.veil.renderOrder = 1;
     this.veil.frustumCulled = false;
     // A seam about the edges, below them: what they are stays to be seen.
     this.near = new LineBatch({ width: 9, under: true, order: 1 });
-    this.far = new LineBatch({ width: 3, through: true, order: 5 });  // also where something is in front of it
+    this.far = new LineBatch({ width: 3, through: true, order: 5 }); // also where something is in front of it
     this.ends = new PointBatch({ size: 9, order: 6 });
     this.cut = new LineBatch({ width: 2.4, order: 4 });
     app.viewer.scene.add(this.veil, this.near.object, this.far.object, this.ends.object, this.cut.object);
@@ -33,7 +43,9 @@ export class SelectionView {
 
   show() {
     const { state, frame, selection } = this.app;
-    let lines = kNothing, triangles = null, ends = kNothing;
+    let lines = kNothing,
+      triangles = null,
+      ends = kNothing;
     const polygon = state.polygons.get(selection?.polygon);
     if (polygon) {
       const { scene, next, triangles: indices } = derived(polygon, frame);
@@ -77,18 +89,24 @@ export class SelectionView {
       return;
     }
     const { normal, constant } = model.section;
-    const { attributes: { position: { array: p } }, index: { array: index } } = model.faces.mesh.geometry;
+    const {
+      attributes: {
+        position: { array: p },
+      },
+      index: { array: index },
+    } = model.faces.mesh.geometry;
     const lines = [];
     const side = (k) => normal.x * p[k] + normal.y * p[k + 1] + normal.z * p[k + 2] + constant;
     for (let t = 0; t < model.faces.count; ++t) {
       const at = [3 * index[3 * t], 3 * index[3 * t + 1], 3 * index[3 * t + 2]];
       const s = at.map(side);
-      if ((s[0] > 0) === (s[1] > 0) && (s[1] > 0) === (s[2] > 0)) continue;
+      if (s[0] > 0 === s[1] > 0 && s[1] > 0 === s[2] > 0) continue;
       for (let i = 0; i < 3; ++i) {
         const j = (i + 1) % 3;
-        if ((s[i] > 0) === (s[j] > 0)) continue;
+        if (s[i] > 0 === s[j] > 0) continue;
         const share = s[i] / (s[i] - s[j]);
-        for (let axis = 0; axis < 3; ++axis) lines.push(p[at[i] + axis] + share * (p[at[j] + axis] - p[at[i] + axis]));
+        for (let axis = 0; axis < 3; ++axis)
+          lines.push(p[at[i] + axis] + share * (p[at[j] + axis] - p[at[i] + axis]));
       }
     }
     this.cut.set(Float32Array.from(lines));

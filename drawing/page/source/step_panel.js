@@ -27,18 +27,35 @@ export class StepPanel {
     const intent = app.state.intent ?? {};
     const path = arrays.path;
     const here = path && [0, 1, 2].map((i) => path[3 * set + i] + app.frame.origin[i]);
-    const moved = path && set > 0 ? Math.hypot(...[0, 1, 2].map((i) => path[3 * set + i] - path[3 * set - 3 + i])) : NaN;
-    const joints = arrays.joints && run.joints > 0
-      ? [...arrays.joints.subarray(run.joints * set, run.joints * (set + 1))].map((q) => number(q)).join(", ") : null;
+    const moved =
+      path && set > 0 ? Math.hypot(...[0, 1, 2].map((i) => path[3 * set + i] - path[3 * set - 3 + i])) : NaN;
+    const joints =
+      arrays.joints && run.joints > 0
+        ? [...arrays.joints.subarray(run.joints * set, run.joints * (set + 1))]
+            .map((q) => number(q))
+            .join(", ")
+        : null;
     const mode = at("mode");
     const distance = (name) => (arrays[name] ? length(at(name), resolution) : null);
     this.root.replaceChildren(
       element("h2", {}, `Step ${count(step)} of ${count(head.steps)}`),
-      finish ? element("p", { class: "quiet" },
-        `What finishing did after the last set; the robot is where it was then. The run ended: ${head.run.ended}.`) : "",
+      finish
+        ? element(
+            "p",
+            { class: "quiet" },
+            "What finishing did after the last set; the robot is where it was then. " +
+              `The run ended: ${head.run.ended}.`,
+          )
+        : "",
       terms([
-        ["readings", sensors ? `${count(readings.length)} of ${count(sensors)} sensors` : count(readings.length)],
-        ["ranges", ranges.length ? `${number(Math.min(...ranges), 3)} to ${number(Math.max(...ranges), 3)}` : null],
+        [
+          "readings",
+          sensors ? `${count(readings.length)} of ${count(sensors)} sensors` : count(readings.length),
+        ],
+        [
+          "ranges",
+          ranges.length ? `${number(Math.min(...ranges), 3)} to ${number(Math.max(...ranges), 3)}` : null,
+        ],
         ["control point", here ? place(here) : null],
         ["moved", Number.isFinite(moved) ? length(moved, resolution) : null],
         ["joints", joints],
@@ -52,7 +69,9 @@ export class StepPanel {
         ["model's update", arrays.time_us ? duration(at("time_us")) : null],
         ["area", arrays.area ? area(at("area"), resolution) : null],
         ["open length", distance("open_length")],
-      ]), ...this.#events());
+      ]),
+      ...this.#events(),
+    );
   }
 
   #events() {
@@ -60,11 +79,24 @@ export class StepPanel {
     if (first === last) return [];
     const rows = [];
     for (let i = first; i < Math.min(last, first + kMostEvents); ++i) {
-      rows.push(element("p", {}, ...this.events.describe(i).map((part) => (typeof part === "string" ? part
-        : part.edge !== undefined ? element("span", {}, "edge ", this.selection.edgeLink(part.edge))
-          : element("span", {}, "polygon ", this.selection.polygonLink(part.polygon))))));
+      rows.push(
+        element(
+          "p",
+          {},
+          ...this.events
+            .describe(i)
+            .map((part) =>
+              typeof part === "string"
+                ? part
+                : part.edge !== undefined
+                  ? element("span", {}, "edge ", this.selection.edgeLink(part.edge))
+                  : element("span", {}, "polygon ", this.selection.polygonLink(part.polygon)),
+            ),
+        ),
+      );
     }
-    if (last - first > kMostEvents) rows.push(element("p", { class: "quiet" }, `and ${count(last - first - kMostEvents)} more`));
+    if (last - first > kMostEvents)
+      rows.push(element("p", { class: "quiet" }, `and ${count(last - first - kMostEvents)} more`));
     return [element("h4", {}, `${plural(last - first, "event")} in this step`), ...rows];
   }
 }
@@ -72,23 +104,41 @@ export class StepPanel {
 /// What is known of a model or a run as a whole.
 export function aboutPanel(app) {
   const { head } = app;
-  return element("section", { id: "about" }, element("h2", {}, head.kind === "run" ? "Run" : "Model"), terms([
-    ["file", head.name],
-    ["program", head.program],
-    ["resolution λ", number(head.resolution)],
-    ["angle μ", head.angle_deg === undefined ? null : `${number(head.angle_deg)}°`],
-    ["noise", head.noise?.some((x) => x > 0) ? head.noise.map((x) => number(x)).join(", ") : "0"],
-    ["tolerance", head.tolerance === undefined ? null : length(head.tolerance, head.resolution)],
-    ["strategy", head.run?.strategy],
-    ["ended", head.run?.ended],
-    ["sets", head.run ? count(head.run.sets) : null],
-    ["seed", head.run?.seed === undefined ? null : String(head.run.seed)],
-    ["robot", head.robot?.name],
-    ["truth", head.truth?.name],
-    ["given up", head.run?.marks ? Object.entries(head.run.marks).filter(([, ids]) => ids.length)
-      .map(([name, ids]) => `${ids.length} ${name.replace("_", " ")}`).join(", ") || "nothing" : null],
-    ["reasons asked", head.run?.reasons_every > 1 ? `every ${head.run.reasons_every} steps` : null],
-    ["lengths", "in the file's unit"],
-  ]), element("p", {}, button("keys and mouse (?)", "keys and mouse (?)",
-    () => document.getElementById("help").showModal(), { class: "small" })));
+  return element(
+    "section",
+    { id: "about" },
+    element("h2", {}, head.kind === "run" ? "Run" : "Model"),
+    terms([
+      ["file", head.name],
+      ["program", head.program],
+      ["resolution λ", number(head.resolution)],
+      ["angle μ", head.angle_deg === undefined ? null : `${number(head.angle_deg)}°`],
+      ["noise", head.noise?.some((x) => x > 0) ? head.noise.map((x) => number(x)).join(", ") : "0"],
+      ["tolerance", head.tolerance === undefined ? null : length(head.tolerance, head.resolution)],
+      ["strategy", head.run?.strategy],
+      ["ended", head.run?.ended],
+      ["sets", head.run ? count(head.run.sets) : null],
+      ["seed", head.run?.seed === undefined ? null : String(head.run.seed)],
+      ["robot", head.robot?.name],
+      ["truth", head.truth?.name],
+      [
+        "given up",
+        head.run?.marks
+          ? Object.entries(head.run.marks)
+              .filter(([, ids]) => ids.length)
+              .map(([name, ids]) => `${ids.length} ${name.replace("_", " ")}`)
+              .join(", ") || "nothing"
+          : null,
+      ],
+      ["reasons asked", head.run?.reasons_every > 1 ? `every ${head.run.reasons_every} steps` : null],
+      ["lengths", "in the file's unit"],
+    ]),
+    element(
+      "p",
+      {},
+      button("keys and mouse (?)", "keys and mouse (?)", () => document.getElementById("help").showModal(), {
+        class: "small",
+      }),
+    ),
+  );
 }

@@ -4,10 +4,13 @@ import { VarintReader } from "./varint.js";
 import { kNoOutline, readOutline } from "./outline.js";
 import { readIntent } from "./intent.js";
 
-const kFigures = 1, kPlane = 2, kOutline = 4, kInitial = 8;  // flags of a polygon
-const kNotKnown = 17;                                        // code of a refusal that holds no longer
+const kFigures = 1,
+  kPlane = 2,
+  kOutline = 4,
+  kInitial = 8; // flags of a polygon
+const kNotKnown = 17; // code of a refusal that holds no longer
 const kMostSnapshots = 512;
-const kMostEntries = 3e6;  // of all snapshots' maps
+const kMostEntries = 3e6; // of all snapshots' maps
 
 class Polygon {
   constructor(id, count, rms, normal, offset, outline, initial, born, changed) {
@@ -21,7 +24,8 @@ class Polygon {
 /// What seek() returns is alive: the next seek() changes its maps. The records in them never change.
 ///   polygons: id → {id, count, rms, initial, normal, offset, outline, cycles, born, changed}
 ///   points:   id → {id, count, position, born, changed}
-///   edges:    id → {segment, partner, born, since}   since: the step at which it got this partner, or became open
+///   edges:    id → {segment, partner, born, since}   since: the step at which it got this partner, or became
+/// open
 ///   refusals: open edge → {code, other, since}
 export class Timeline {
   constructor(head, arrays) {
@@ -29,14 +33,21 @@ export class Timeline {
     this.unit = head.unit;
     this.hasIntent = head.kind === "run" && head.run?.intent === true;
     this.bytes = arrays.timeline;
-    this.spacing = 32;  // steps from one snapshot to the next: a power of two
-    while (this.spacing * kMostSnapshots / 2 < head.steps) this.spacing *= 2;
+    this.spacing = 32; // steps from one snapshot to the next: a power of two
+    while ((this.spacing * kMostSnapshots) / 2 < head.steps) this.spacing *= 2;
     this.snapshots = [];
     this.entries = 0;
-    this.indexed = 0;  // last step that was ever decoded
+    this.indexed = 0; // last step that was ever decoded
     this.version = 0;
-    this.state = { step: 0, version: 0, polygons: new Map(), points: new Map(), edges: new Map(),
-      refusals: new Map(), intent: null };
+    this.state = {
+      step: 0,
+      version: 0,
+      polygons: new Map(),
+      points: new Map(),
+      edges: new Map(),
+      refusals: new Map(),
+      intent: null,
+    };
     this.reader = new VarintReader(this.bytes);
     this.#keep();
   }
@@ -67,7 +78,8 @@ export class Timeline {
   }
 
   #snapshotBefore(step) {
-    let low = 0, high = this.snapshots.length - 1;
+    let low = 0,
+      high = this.snapshots.length - 1;
     while (low < high) {
       const middle = (low + high + 1) >> 1;
       if (this.snapshots[middle].step <= step) low = middle;
@@ -89,22 +101,32 @@ export class Timeline {
 
   #keep() {
     const { step, polygons, points, edges, refusals, intent } = this.state;
-    this.snapshots.push({ step, at: this.reader.at, polygons: new Map(polygons), points: new Map(points),
-      edges: new Map(edges), refusals: new Map(refusals), intent });
+    this.snapshots.push({
+      step,
+      at: this.reader.at,
+      polygons: new Map(polygons),
+      points: new Map(points),
+      edges: new Map(edges),
+      refusals: new Map(refusals),
+      intent,
+    });
     this.entries += polygons.size + points.size + edges.size + refusals.size;
     if (this.snapshots.length <= kMostSnapshots && this.entries <= kMostEntries) return;
     this.spacing *= 2;
     this.snapshots = this.snapshots.filter((snapshot) => snapshot.step % this.spacing === 0);
-    this.entries = this.snapshots.reduce((sum, snapshot) => sum + snapshot.polygons.size + snapshot.points.size +
-      snapshot.edges.size + snapshot.refusals.size, 0);
+    this.entries = this.snapshots.reduce(
+      (sum, snapshot) =>
+        sum + snapshot.polygons.size + snapshot.points.size + snapshot.edges.size + snapshot.refusals.size,
+      0,
+    );
   }
 
   #decodeStep() {
     const { reader, state } = this;
     const { polygons, points, edges, refusals } = state;
     const step = ++state.step;
-    const gone = [];     // pairs: edge, segment it was of
-    const touched = new Set();  // edges that their polygon had before and wrote anew
+    const gone = []; // pairs: edge, segment it was of
+    const touched = new Set(); // edges that their polygon had before and wrote anew
 
     let id = 0;
     for (let n = reader.unsigned(); n > 0; --n) {
@@ -129,15 +151,26 @@ export class Timeline {
       id += reader.unsigned();
       const segment = id;
       const last = polygons.get(segment);
-      const polygon = this.#readPolygon(segment, last, step, (edge, partner) => {
-        if (last) touched.add(edge);
-        const was = edges.get(edge);
-        if (!was) edges.set(edge, { segment, partner, born: step, since: step });
-        else if (was.segment !== segment || was.partner !== partner) {
-          edges.set(edge, { segment, partner, born: was.born, since: was.partner === partner ? was.since : step });
-        }
-        if (partner) refusals.delete(edge);
-      }, (edge) => gone.push(edge, segment));
+      const polygon = this.#readPolygon(
+        segment,
+        last,
+        step,
+        (edge, partner) => {
+          if (last) touched.add(edge);
+          const was = edges.get(edge);
+          if (!was) edges.set(edge, { segment, partner, born: step, since: step });
+          else if (was.segment !== segment || was.partner !== partner) {
+            edges.set(edge, {
+              segment,
+              partner,
+              born: was.born,
+              since: was.partner === partner ? was.since : step,
+            });
+          }
+          if (partner) refusals.delete(edge);
+        },
+        (edge) => gone.push(edge, segment),
+      );
       points.delete(segment);
       polygons.set(segment, polygon);
     }
@@ -168,17 +201,32 @@ export class Timeline {
   #readPolygon(id, last, step, written, dropped) {
     const { reader } = this;
     const flags = reader.unsigned();
-    let { count, rms, normal, offset, outline } = last ?? { count: 0, rms: 0, normal: [0, 0, 1], offset: 0,
-      outline: kNoOutline };
+    let { count, rms, normal, offset, outline } = last ?? {
+      count: 0,
+      rms: 0,
+      normal: [0, 0, 1],
+      offset: 0,
+      outline: kNoOutline,
+    };
     if (flags & kFigures) {
       count = reader.unsigned();
-      rms = reader.unsigned() / 16 * this.unit;
+      rms = (reader.unsigned() / 16) * this.unit;
     }
     if (flags & kPlane) {
       normal = [reader.signed() / 2 ** 24, reader.signed() / 2 ** 24, reader.signed() / 2 ** 24];
-      offset = reader.signed() / 16 * this.unit;
+      offset = (reader.signed() / 16) * this.unit;
     }
     if (flags & kOutline) outline = readOutline(reader, outline, written, dropped);
-    return new Polygon(id, count, rms, normal, offset, outline, (flags & kInitial) !== 0, last?.born ?? step, step);
+    return new Polygon(
+      id,
+      count,
+      rms,
+      normal,
+      offset,
+      outline,
+      (flags & kInitial) !== 0,
+      last?.born ?? step,
+      step,
+    );
   }
 }

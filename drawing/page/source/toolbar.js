@@ -8,21 +8,50 @@ export class Toolbar {
     const { app } = ui;
     const { viewer } = app;
     const names = Object.keys(kViews);
-    this.views = names.map((name, i) => button(name, `view: ${name} (${i + 1})`, () => viewer.setView(name),
-      { "data-view": name }));
-    this.projection = button("perspective", "perspective or orthographic (p)", () => this.toggleProjection(), { id: "projection" });
-    this.section = button("section", "section plane (x)", () => ui.section.set({ on: !ui.section.on }), { id: "sectiontoggle" });
-    this.panel = button("panel", "show the panel (h)", () => this.togglePanel(), { id: "paneltoggle", "aria-pressed": "true" });
-    this.theme = button("", "light or dark (t)", () => app.setTheme(app.theme === "dark" ? "light" : "dark"), { id: "themetoggle" });
+    this.views = names.map((name, i) =>
+      button(name, `view: ${name} (${i + 1})`, () => viewer.setView(name), { "data-view": name }),
+    );
+    this.projection = button(
+      "perspective",
+      "perspective or orthographic (p)",
+      () => this.toggleProjection(),
+      { id: "projection" },
+    );
+    this.section = button("section", "section plane (x)", () => ui.section.set({ on: !ui.section.on }), {
+      id: "sectiontoggle",
+    });
+    this.panel = button("panel", "show the panel (h)", () => this.togglePanel(), {
+      id: "paneltoggle",
+      "aria-pressed": "true",
+    });
+    this.theme = button(
+      "",
+      "light or dark (t)",
+      () => app.setTheme(app.theme === "dark" ? "light" : "dark"),
+      { id: "themetoggle" },
+    );
     const group = (...buttons) => element("span", { class: "group" }, ...buttons);
-    root.append(group(...this.views), group(button("fit", "fit all (f)", () => viewer.fit()), this.projection),
-      group(this.section), element("span", { class: "space" }),
-      group(button("PNG", "save a picture of what is seen (i)", () => ui.savePicture(), { id: "png" }), this.theme, this.panel,
-        button("?", "keys and mouse (?)", () => ui.help.showModal(), { id: "helptoggle" })));
+    root.append(
+      group(...this.views),
+      group(
+        button("fit", "fit all (f)", () => viewer.fit()),
+        this.projection,
+      ),
+      group(this.section),
+      element("span", { class: "space" }),
+      group(
+        button("PNG", "save a picture of what is seen (i)", () => ui.savePicture(), { id: "png" }),
+        this.theme,
+        this.panel,
+        button("?", "keys and mouse (?)", () => ui.help.showModal(), { id: "helptoggle" }),
+      ),
+    );
     this.app = app;
     viewer.viewListeners.push(() => this.#showView());
     app.on("theme", () => this.#showTheme());
-    ui.section.listeners.push(() => this.section.setAttribute("aria-pressed", ui.section.on ? "true" : "false"));
+    ui.section.listeners.push(() =>
+      this.section.setAttribute("aria-pressed", ui.section.on ? "true" : "false"),
+    );
     this.#showView();
     this.#showTheme();
   }

@@ -1,11 +1,12 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-// Rows over the axis of steps: the modes as a band, a row of marks for each kind of event, charts. Drawn once for a
-// size and a theme; while time goes on only the cursor moves.
+// Rows over the axis of steps: the modes as a band, a row of marks for each kind of event, charts. Drawn once
+// for a size and a theme; while time goes on only the cursor moves.
 import { button, element } from "./dom.js";
 import { area, count, duration, length } from "./format.js";
 import { modeColor } from "./palette.js";
 
-const kBand = 16, kEvent = 14;  // heights
+const kBand = 16,
+  kEvent = 14; // heights
 
 export class Tracks {
   constructor(app, events, bar) {
@@ -18,18 +19,39 @@ export class Tracks {
     this.values = element("div", { class: "values" });
     this.canvas = element("canvas", { "aria-hidden": "true" });
     this.tip = element("div", { id: "tip", hidden: true });
-    this.slider = element("div", { id: "slider", role: "slider", tabindex: 0, "aria-label": "step", "aria-valuemin": 1,
-      "aria-valuemax": this.steps }, this.canvas, this.tip);
+    this.slider = element(
+      "div",
+      {
+        id: "slider",
+        role: "slider",
+        tabindex: 0,
+        "aria-label": "step",
+        "aria-valuemin": 1,
+        "aria-valuemax": this.steps,
+      },
+      this.canvas,
+      this.tip,
+    );
     this.root = element("div", { id: "tracks" }, this.labels, this.slider, this.values);
     for (const row of this.rows) {
       const style = { height: `${row.height}px` };
-      const jumps = row.event ? [
-        button("‹", `previous: ${row.label} (shift ${row.event.key})`, () => bar.jump(row.event, -1)),
-        button("›", `next: ${row.label} (${row.event.key})`, () => bar.jump(row.event, 1))] : [];
+      const jumps = row.event
+        ? [
+            button("‹", `previous: ${row.label} (shift ${row.event.key})`, () => bar.jump(row.event, -1)),
+            button("›", `next: ${row.label} (${row.event.key})`, () => bar.jump(row.event, 1)),
+          ]
+        : [];
       const title = row.label;
       row.extent = row.kind === "chart" ? element("span", { class: "extent" }) : null;
-      this.labels.append(element("div", { class: row.class, style, title }, ...jumps, element("span", {}, row.label),
-        row.extent));
+      this.labels.append(
+        element(
+          "div",
+          { class: row.class, style, title },
+          ...jumps,
+          element("span", {}, row.label),
+          row.extent,
+        ),
+      );
       row.value = element("div", { class: row.class, style });
       this.values.append(row.value);
     }
@@ -44,16 +66,20 @@ export class Tracks {
     const { resolution } = head;
     const rows = [{ kind: "band", class: "band", height: kBand, label: arrays.mode ? "mode" : "step" }];
     for (const event of this.events.rows) {
-      if (event.steps.length) rows.push({ kind: "event", class: "event", height: kEvent, label: event.name, event });
+      if (event.steps.length)
+        rows.push({ kind: "event", class: "event", height: kEvent, label: event.name, event });
     }
     const inLambda = (x) => length(x, resolution);
     const charts = [
-      ["area", ["area"], (x) => area(x, resolution)], ["open length", ["open_length"], inLambda],
-      ["clearance", ["clearance", "true_clearance"], inLambda], ["time a step", ["time_us"], duration],
+      ["area", ["area"], (x) => area(x, resolution)],
+      ["open length", ["open_length"], inLambda],
+      ["clearance", ["clearance", "true_clearance"], inLambda],
+      ["time a step", ["time_us"], duration],
     ];
     for (const [label, names, format] of charts) {
       const series = names.map((name) => arrays[name]).filter(Boolean);
-      if (series.length) rows.push({ kind: "chart", class: "chart", height: this.chartHeight, label, series, format });
+      if (series.length)
+        rows.push({ kind: "chart", class: "chart", height: this.chartHeight, label, series, format });
     }
     return rows;
   }
@@ -74,15 +100,22 @@ export class Tracks {
       if (dragging) this.app.seek(stepAt(event));
       this.#showTip(stepAt(event));
     });
-    this.slider.addEventListener("pointerup", () => { dragging = false; });
-    this.slider.addEventListener("pointercancel", () => { dragging = false; });
-    this.slider.addEventListener("pointerleave", () => { this.tip.hidden = true; });
+    this.slider.addEventListener("pointerup", () => {
+      dragging = false;
+    });
+    this.slider.addEventListener("pointercancel", () => {
+      dragging = false;
+    });
+    this.slider.addEventListener("pointerleave", () => {
+      this.tip.hidden = true;
+    });
   }
 
   #showTip(step) {
     const { arrays, head } = this.app;
     const mode = arrays.mode?.[step - 1];
-    this.tip.textContent = `step ${count(step)}` + (mode === undefined || mode === 255 ? "" : ` · ${head.modes[mode]}`);
+    this.tip.textContent =
+      `step ${count(step)}` + (mode === undefined || mode === 255 ? "" : ` · ${head.modes[mode]}`);
     this.tip.hidden = false;
     this.tip.style.left = `${Math.min(Math.max(this.#x(step), 50), this.width - 50)}px`;
   }
@@ -92,7 +125,7 @@ export class Tracks {
     return Math.min(this.steps, Math.max(1, 1 + Math.floor(share * this.steps)));
   }
   #x(step) {
-    return (step - 0.5) / this.steps * this.width;
+    return ((step - 0.5) / this.steps) * this.width;
   }
 
   resize() {
@@ -109,8 +142,12 @@ export class Tracks {
     const context = this.still.getContext("2d");
     context.scale(ratio, ratio);
     const style = getComputedStyle(document.documentElement);
-    this.colors = Object.fromEntries(["text", "quiet", "line", "raised", "accent", "surface"].map((name) =>
-      [name, style.getPropertyValue(`--${name}`).trim()]));
+    this.colors = Object.fromEntries(
+      ["text", "quiet", "line", "raised", "accent", "surface"].map((name) => [
+        name,
+        style.getPropertyValue(`--${name}`).trim(),
+      ]),
+    );
     let top = 0;
     for (const row of shown) {
       this[{ band: "drawBand", event: "drawEvents", chart: "drawChart" }[row.kind]](context, row, top);
@@ -120,7 +157,10 @@ export class Tracks {
   }
 
   drawBand(context, row, top) {
-    const { arrays: { mode }, head } = this.app;
+    const {
+      arrays: { mode },
+      head,
+    } = this.app;
     context.fillStyle = this.colors.raised;
     context.fillRect(0, top + 1, this.width, row.height - 3);
     if (!mode) return;
@@ -129,7 +169,8 @@ export class Tracks {
     for (let from = 0; from < this.steps;) {
       let to = from + 1;
       while (to < this.steps && mode[to] === mode[from]) ++to;
-      const x = from / this.steps * this.width, width = (to - from) / this.steps * this.width;
+      const x = (from / this.steps) * this.width,
+        width = ((to - from) / this.steps) * this.width;
       if (mode[from] !== 255) {
         context.fillStyle = modeColor(mode[from]);
         context.fillRect(x, top + 1, Math.max(width - (width > 3 ? 0.5 : 0), 0.5), row.height - 3);
@@ -150,7 +191,7 @@ export class Tracks {
     let last = -1;
     for (const step of row.event.steps) {
       const x = Math.round(this.#x(step) * 2) / 2;
-      if (x === last) continue;  // many steps to a pixel: one mark is enough
+      if (x === last) continue; // many steps to a pixel: one mark is enough
       last = x;
       context.fillRect(x - 0.75, top + 3, 1.5, row.height - 6);
     }
@@ -159,7 +200,8 @@ export class Tracks {
   drawChart(context, row, top) {
     const height = row.height - 5;
     let most = 0;
-    for (const values of row.series) for (const value of values) if (value > most && value < Infinity) most = value;
+    for (const values of row.series)
+      for (const value of values) if (value > most && value < Infinity) most = value;
     row.extent.textContent = `0 … ${row.format(most).replace(/ \(.*/, "")}`;
     context.fillStyle = this.colors.line;
     context.fillRect(0, top + row.height - 1, this.width, 0.5);
@@ -174,9 +216,10 @@ export class Tracks {
       const columns = Math.min(values.length, Math.ceil(this.width));
       let pen = false;
       for (let column = 0; column < columns; ++column) {
-        const from = Math.floor(column * values.length / columns);
-        const to = Math.max(from + 1, Math.floor((column + 1) * values.length / columns));
-        let low = Infinity, high = -Infinity;
+        const from = Math.floor((column * values.length) / columns);
+        const to = Math.max(from + 1, Math.floor(((column + 1) * values.length) / columns));
+        let low = Infinity,
+          high = -Infinity;
         for (let k = from; k < to; ++k) {
           if (!Number.isFinite(values[k])) continue;
           low = Math.min(low, values[k]);

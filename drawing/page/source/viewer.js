@@ -6,12 +6,17 @@ import { Quality } from "./quality.js";
 
 // Directions from the middle towards the camera; z is up.
 export const kViews = {
-  iso: [1, -1.3, 0.9], front: [0, -1, 0], back: [0, 1, 0], left: [-1, 0, 0], right: [1, 0, 0],
-  top: [0, 0, 1], bottom: [0, 0, -1],
+  iso: [1, -1.3, 0.9],
+  front: [0, -1, 0],
+  back: [0, 1, 0],
+  left: [-1, 0, 0],
+  right: [1, 0, 0],
+  top: [0, 0, 1],
+  bottom: [0, 0, -1],
 };
 const kFieldOfView = 30;
-const kRoom = 1.08;   // about all that is shown
-const kToolbar = 44;  // pixels
+const kRoom = 1.08; // about all that is shown
+const kToolbar = 44; // pixels
 
 export class Viewer {
   constructor(canvas, frame) {
@@ -28,14 +33,21 @@ export class Viewer {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", () => this.invalidate());
-    this.view = "iso";  // the named view that is seen, or null
-    this.controls.addEventListener("start", () => { this.gesture = this.camera.position.clone(); });
+    this.view = "iso"; // the named view that is seen, or null
+    this.controls.addEventListener("start", () => {
+      this.gesture = this.camera.position.clone();
+    });
     this.controls.addEventListener("end", () => {
-      if (this.view && this.gesture && this.gesture.distanceTo(this.camera.position) > 1e-9) this.#setName(null);
+      if (this.view && this.gesture && this.gesture.distanceTo(this.camera.position) > 1e-9)
+        this.#setName(null);
     });
     // What is shown: a ball about it, and the boxes it fills.
-    this.extent = { middle: new Vector3(), radius: frame.radius, boxes: [{ middle: [0, 0, 0], size: frame.size }] };
-    this.before = [];        // called before each drawing, with the level of quality
+    this.extent = {
+      middle: new Vector3(),
+      radius: frame.radius,
+      boxes: [{ middle: [0, 0, 0], size: frame.size }],
+    };
+    this.before = []; // called before each drawing, with the level of quality
     this.viewListeners = [];
     this.frames = 0;
     this.pending = false;
@@ -122,7 +134,8 @@ export class Viewer {
 
   #setOrthographicSize(height) {
     if (height) this.orthographicHeight = height;
-    const h = (this.orthographicHeight ?? 1) / 2, w = h * this.width / this.height;
+    const h = (this.orthographicHeight ?? 1) / 2,
+      w = (h * this.width) / this.height;
     Object.assign(this.orthographic, { left: -w, right: w, top: h, bottom: -h });
     this.orthographic.updateProjectionMatrix();
   }
@@ -147,7 +160,7 @@ export class Viewer {
   lengthPerPixel() {
     if (this.camera.isOrthographicCamera) return this.orthographicHeight / this.camera.zoom / this.height;
     const distance = this.camera.position.distanceTo(this.controls.target);
-    return 2 * distance * Math.tan(kFieldOfView * Math.PI / 360) / this.height;
+    return (2 * distance * Math.tan((kFieldOfView * Math.PI) / 360)) / this.height;
   }
 
   get isOrthographic() {
@@ -160,7 +173,7 @@ export class Viewer {
     const from = this.camera;
     this.camera = on ? this.orthographic : this.perspective;
     const direction = from.position.clone().sub(this.controls.target).normalize();
-    const distance = seen / 2 / Math.tan(kFieldOfView * Math.PI / 360);
+    const distance = seen / 2 / Math.tan((kFieldOfView * Math.PI) / 360);
     this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
     this.camera.zoom = 1;
     if (on) this.#setOrthographicSize(seen);
@@ -172,7 +185,7 @@ export class Viewer {
   /// Looks from a direction at a place, so that a ball of that radius is in view.
   lookFrom(direction, target, radius) {
     const seen = 2.25 * radius * Math.max(1, this.height / this.width);
-    const distance = seen / 2 / Math.tan(kFieldOfView * Math.PI / 360);
+    const distance = seen / 2 / Math.tan((kFieldOfView * Math.PI) / 360);
     const d = new Vector3(...direction).normalize();
     // Straight down, the sideways direction is undefined: a hair towards the front makes it x to the right.
     if (Math.abs(d.z) > 0.9999) d.set(0, -1e-4, Math.sign(d.z)).normalize();
@@ -195,15 +208,20 @@ export class Viewer {
     const { middle, boxes, radius } = this.extent;
     this.lookFrom(direction, middle.toArray(), radius);
     this.camera.updateMatrixWorld();
-    const slope = Math.tan(kFieldOfView * Math.PI / 360), aspect = this.width / this.height;
-    const room = kRoom * this.height / Math.max(this.height - kToolbar, this.height / 2);
+    const slope = Math.tan((kFieldOfView * Math.PI) / 360),
+      aspect = this.width / this.height;
+    const room = (kRoom * this.height) / Math.max(this.height - kToolbar, this.height / 2);
     const origin = middle.clone().applyMatrix4(this.camera.matrixWorldInverse);
-    let distance = 0, height = 0;
+    let distance = 0,
+      height = 0;
     for (let i = 0; i < 8 * boxes.length; ++i) {
       const box = boxes[i >> 3];
-      const corner = new Vector3(...box.size.map((x, axis) => box.middle[axis] + ((i >> axis) & 1 ? x : -x) / 2))
-        .applyMatrix4(this.camera.matrixWorldInverse).sub(origin);
-      const half = Math.max(kRoom * Math.abs(corner.x) / aspect, Math.abs(corner.y) * room);
+      const corner = new Vector3(
+        ...box.size.map((x, axis) => box.middle[axis] + ((i >> axis) & 1 ? x : -x) / 2),
+      )
+        .applyMatrix4(this.camera.matrixWorldInverse)
+        .sub(origin);
+      const half = Math.max((kRoom * Math.abs(corner.x)) / aspect, Math.abs(corner.y) * room);
       distance = Math.max(distance, half / slope + corner.z);
       height = Math.max(height, 2 * half);
     }
@@ -271,9 +289,10 @@ export class Viewer {
     this.#setDepths();
   }
 
-  /// Pixels in the canvas, from its upper left corner, after prepare(), of a place in the scene; and its depth (−1 to 1).
+  /// Pixels in the canvas, from its upper left corner, after prepare(), of a place in the scene; and its
+  /// depth (−1 to 1).
   project(place) {
     const v = new Vector3(...place).project(this.camera);
-    return [(v.x + 1) / 2 * this.width, (1 - v.y) / 2 * this.height, v.z];
+    return [((v.x + 1) / 2) * this.width, ((1 - v.y) / 2) * this.height, v.z];
   }
 }
