@@ -26,6 +26,7 @@ export class App {
     this.listeners = new Map();
     this.step = 0;
     this.selection = null;
+    this.playing = false;
     const asked = window.matchMedia("(prefers-color-scheme: dark)");
     asked.addEventListener("change", () => this.setTheme(asked.matches ? "dark" : "light"));
     this.setTheme(asked.matches ? "dark" : "light");
@@ -37,6 +38,17 @@ export class App {
   }
   emit(event) {
     for (const call of this.listeners.get(event) ?? []) call();
+  }
+
+  /// A function that, while time plays, is called no more than some times a second: for text that nobody could read.
+  calmly(call) {
+    let last = -Infinity;
+    return () => {
+      const now = performance.now();
+      if (this.playing && now - last < 150) return;
+      last = now;
+      call();
+    };
   }
 
   get state() {

@@ -25,7 +25,7 @@ export class Player {
   play() {
     if (this.playing || !this.app.isRun) return;
     if (this.app.step >= this.app.head.steps) this.app.seek(1);
-    this.playing = true;
+    this.playing = this.app.playing = true;
     this.last = performance.now();
     this.owed = 0;
     this.#tell();
@@ -33,7 +33,8 @@ export class Player {
   }
   pause() {
     if (!this.playing) return;
-    this.playing = false;
+    this.playing = this.app.playing = false;
+    this.app.emit("step"); // for what had not kept up
     this.#tell();
   }
   toggle() {

@@ -12,7 +12,11 @@ export class SelectionPanel {
     this.app = app;
     this.events = events;
     this.root = element("section", { id: "selection", "aria-live": "polite" });
-    for (const event of ["selection", "step", "theme"]) app.on(event, () => this.show());
+    for (const event of ["selection", "theme"]) app.on(event, () => this.show());
+    app.on(
+      "step",
+      app.calmly(() => this.show()),
+    );
     this.show();
   }
 

@@ -11,7 +11,10 @@ export class StepPanel {
     this.events = events;
     this.selection = selection;
     this.root = element("section", { id: "step" });
-    app.on("step", () => this.show());
+    app.on(
+      "step",
+      app.calmly(() => this.show()),
+    );
   }
 
   show() {
