@@ -5,6 +5,7 @@
 const kFluent = 45,
   kQuick = 14; // milliseconds of a frame: above, less is drawn; below, more
 const kMostLevel = 3;
+const kFirst = 3; // frames until one tells what frames cost
 const kMostFine = 450; // milliseconds that a fine frame may take
 const kRest = 220; // milliseconds after which a scene counts as resting
 
@@ -13,6 +14,7 @@ export class Quality {
   constructor() {
     this.software = isSoftware();
     this.level = 0;
+    this.frames = 0;
     this.cost = 0; // of a frame of level 0, in milliseconds
     this.last = -Infinity;
   }
@@ -31,6 +33,7 @@ export class Quality {
 
   /// What a frame took.
   took(milliseconds, { level, scale }) {
+    if (++this.frames < kFirst || scale > 1) return; // the first ones compile shaders
     if (level === 0 && scale === 1) this.cost = milliseconds;
     if (level !== this.level && level !== 0) return;
     if (milliseconds > kFluent) this.level = Math.min(kMostLevel, this.level + 1);
@@ -40,6 +43,8 @@ export class Quality {
   /// Once all rests: the frame to draw then, or null if the last one will do.
   whenResting(ratio, last) {
     if (!this.software) return null;
+    if (this.frames < kFirst) return { level: 0, scale: 1 };
+    if (last.scale > 1) return null;
     if (ratio < 2 && 4 * this.cost < kMostFine) return { level: 0, scale: 2 / ratio };
     return last.level > 0 ? { level: 0, scale: 1 } : null;
   }

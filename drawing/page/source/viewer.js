@@ -79,11 +79,23 @@ export class Viewer {
     await this.#drawn();
     this.quality.took(performance.now() - begin, how);
     this.pending = false;
-    this.resting = setTimeout(() => {
-      const fine = this.quality.whenResting(this.pixelRatio, this.drawn);
-      if (fine && !this.pending) this.render(fine);
-    }, this.quality.rest);
+    this.resting = setTimeout(() => this.#rest(), this.quality.rest);
     if (this.asked) this.invalidate();
+  }
+
+  /// Draws once more, finely, when nothing has moved for a while.
+  async #rest() {
+    const how = this.quality.whenResting(this.pixelRatio, this.drawn);
+    if (!how || this.pending) return;
+    this.pending = true;
+    this.asked = false;
+    const begin = performance.now();
+    this.render(how);
+    await this.#drawn();
+    this.quality.took(performance.now() - begin, how);
+    this.pending = false;
+    if (this.asked) this.invalidate();
+    else if (how.scale === 1) this.resting = setTimeout(() => this.#rest(), this.quality.rest);
   }
 
   /// Until the graphics process has drawn all that it was told to.
