@@ -209,20 +209,29 @@ void Timeline::put_polygons(const model::View& view, const std::vector<SegmentId
   Ascending ids(out_);
   for (auto& [id, now] : changed) {
     points_.erase(id);
-    const auto [entry, is_new] = polygons_.try_emplace(id);
-    Polygon& before = entry->second;
-    const bool figures = is_new || now.count != before.count || now.residual != before.residual;
-    const bool plane = is_new || now.plane != before.plane;
-    const bool boundary = is_new || now.boundary != before.boundary;
-    const bool initial = view.segment({id})->kind == model::View::Kind::initial;
     ids.put(id);
-    out_.put(flags({figures, plane, boundary, initial}));
-    if (figures) out_.put(static_cast<std::uint64_t>(now.count)), out_.put(now.residual);
-    if (plane)
-      for (const std::int64_t number : now.plane) out_.put_signed(number);
-    if (boundary) put_boundary(now.boundary, before.boundary, out_);
-    before = std::move(now);
+    put_polygon(id, now, view.segment({id})->kind == model::View::Kind::initial);
+    for (const Boundary::Cycle& cycle : now.boundary.cycles)  // who reads forgets the reasons of shared edges
+      for (const BoundaryVertex& vertex : cycle.vertices)
+        if (vertex.partner != 0) reasons_.erase(vertex.edge);
+    polygons_[id] = std::move(now);
   }
+}
+
+/// What of a polygon is not as it was put last.
+void Timeline::put_polygon(std::uint64_t id, const Polygon& now, bool initial) {
+  static const Polygon kNothing;
+  const auto known = polygons_.find(id);
+  const bool is_new = known == polygons_.end();
+  const Polygon& before = is_new ? kNothing : known->second;
+  const bool figures = is_new || now.count != before.count || now.residual != before.residual;
+  const bool plane = is_new || now.plane != before.plane;
+  const bool boundary = is_new || now.boundary != before.boundary;
+  out_.put(flags({figures, plane, boundary, initial}));
+  if (figures) out_.put(static_cast<std::uint64_t>(now.count)), out_.put(now.residual);
+  if (plane)
+    for (const std::int64_t number : now.plane) out_.put_signed(number);
+  if (boundary) put_boundary(now.boundary, before.boundary, out_);
 }
 
 void Timeline::put_reasons(const std::vector<model::OpenEdge>* open_edges) {

@@ -103,6 +103,7 @@ class Timeline {
   void put_gone(const std::vector<model::SegmentId>& there);
   void put_points(const model::View&, const std::vector<model::SegmentId>& there);
   void put_polygons(const model::View&, const std::vector<model::SegmentId>& there, const Touched&);
+  void put_polygon(std::uint64_t id, const Polygon& now, bool initial);
   void put_reasons(const std::vector<model::OpenEdge>*);
   void put_intent(const following::Intent&);
   void put_places(const std::vector<Eigen::Vector3d>&);

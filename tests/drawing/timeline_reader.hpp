@@ -102,6 +102,9 @@ class TimelineReader {
       for (std::int64_t& x : polygon.plane) x = signed_number();
     if (flags & 4) polygon.boundary = boundary(polygon.boundary);
     polygon.initial = (flags & 8) != 0;
+    for (const auto& cycle : polygon.boundary.cycles)
+      for (const BoundaryVertex& vertex : cycle.vertices)
+        if (vertex.partner != 0) reasons.erase(vertex.edge);
   }
 
   Boundary boundary(const Boundary& before) {

@@ -73,7 +73,8 @@ void expect_told(const Scan& scan, std::size_t every) {
   };
   for (std::size_t i = 0; i < scan.points.size(); i += kSet) {
     const auto& changes = told.update(set(i));
-    timeline.add(told.view(), changes, {});
+    const auto reasons = told.open_edges();
+    timeline.add(told.view(), changes, {.reasons = i / kSet % 3 == 0 ? &reasons : nullptr});
   }
   const auto& changes = told.finish();
   const auto reasons = told.open_edges();

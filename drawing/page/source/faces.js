@@ -1,6 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 // All faces in one mesh: positions, normals and colours in few buffers, and whose triangle is whose.
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, ShaderMaterial, Color } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Mesh, ShaderMaterial, Color } from "three";
 import { derived } from "./geometry.js";
 import { faceColor, kFaceColors, knownColor, themeColors } from "./palette.js";
 
@@ -66,6 +66,14 @@ export class Faces {
     const { r, g, b } = new Color(themeColors(theme).back).convertLinearToSRGB();
     this.material.uniforms.back.value = { x: r, y: g, z: b };
     this.shown = null;
+  }
+
+  /// Are backs shown, grey, or looked through?
+  setBacks(shown) {
+    this.material.side = shown ? DoubleSide : FrontSide;
+  }
+  get hasBacks() {
+    return this.material.side === DoubleSide;
   }
 
   #reserve(vertices, indices) {

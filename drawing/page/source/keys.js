@@ -69,6 +69,7 @@ function bindings(ui) {
       ["p", "perspective or orthographic", ["p"], () => ui.toolbar.toggleProjection()],
       ["t", "light or dark", ["t"], () => app.setTheme(app.theme === "dark" ? "light" : "dark")],
       ...(app.truth ? [["y", "truth: none, over, beside", ["y"], () => legend.cycleTruth()]] : []),
+      ["q", "backs of polygons: grey, or none", ["q"], () => legend.toggle("backs")],
       ["h", "show the panel", ["h"], () => ui.toolbar.togglePanel()],
       ["i", "save a picture (PNG)", ["i"], () => ui.savePicture()],
     ],

@@ -32,6 +32,7 @@ export class Legend {
       () => `${number(figures().area / resolution ** 2, 3)} λ²`,
     );
     row("known", "known beforehand", "known", () => figures().known, null, { fixed: true });
+    row("backs", "backs of polygons", "back", () => null, null, { show: () => figures().polygons, stress: false });
     row(
       "shared",
       "shared edges",
@@ -110,7 +111,7 @@ export class Legend {
         line.classList.toggle("off", !box.checked);
       },
     });
-    box.checked = true;
+    box.checked = owner.isShown(name);
     const press = button(
       label,
       title ?? label,
@@ -137,7 +138,8 @@ export class Legend {
       size,
     );
     this.grid.append(line);
-    this.rows.push({ name, line, drawn, swatch, amount, measure, total, size, press, show, stress });
+    line.classList.toggle("off", !box.checked);
+    this.rows.push({ name, box, line, drawn, swatch, amount, measure, total, size, press, show, stress });
   }
 
   #stress(name) {
@@ -146,6 +148,10 @@ export class Legend {
     for (const { name: own, press, stress } of this.rows) {
       if (stress) press.setAttribute("aria-pressed", own === this.pinned ? "true" : "false");
     }
+  }
+  /// Switches what a row stands for on or off.
+  toggle(name) {
+    this.rows.find((row) => row.name === name).box.click();
   }
   clearStress() {
     this.pinned = null;
@@ -193,9 +199,11 @@ export class Legend {
     context.clearRect(0, 0, 52, 28);
     context.scale(2, 2);
     if (!swatch) return;
-    if (swatch === "face" || swatch === "known") {
+    if (swatch === "face" || swatch === "known" || swatch === "back") {
       const fill =
-        swatch === "known"
+        swatch === "back"
+          ? [colors.back]
+          : swatch === "known"
           ? theme === "dark"
             ? ["#4d5766"]
             : ["#ccd4e0"]

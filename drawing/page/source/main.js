@@ -2,6 +2,7 @@
 // Starts the page: unpacks the data, makes the parts, opens where the address says.
 import { App } from "./app.js";
 import { byId } from "./dom.js";
+import { derived } from "./geometry.js";
 import { Events } from "./events.js";
 import { Legend } from "./legend.js";
 import { DeepLinks } from "./links.js";
@@ -66,10 +67,22 @@ async function start() {
   app.viewer.setView("iso");
 
   app.seek(links.asked.step ?? app.head.steps);
+  if (facesInwards(app)) ui.legend.toggle("backs");
   links.follow(links.asked);
   byId("start").hidden = true;
   app.viewer.render();
   return { app, ui };
+}
+
+/// Was most of it seen from inside, as a room is? Then its backs would hide all there is.
+function facesInwards(app) {
+  let inwards = 0;
+  for (const polygon of app.state.polygons.values()) {
+    const { area, inner } = derived(polygon, app.frame);
+    const outwards = inner.reduce((sum, x, axis) => sum + x * polygon.normal[axis], 0);
+    inwards += outwards < 0 ? area : -area;
+  }
+  return inwards > 0;
 }
 
 /// Goes through polygons, or open edges, in the order of their identities.

@@ -161,6 +161,7 @@ export class ModelView {
     const few = (batch, level) => this.level < level || batch.count < kMostFat;
     const dims = (...names) => (this.stressed && !names.includes(this.stressed) ? 0.12 : 1);
     this.faces.mesh.visible = this.isShown("polygons");
+    this.faces.setBacks(this.isShown("backs"));
     this.shared.object.visible = this.isShown("shared") && this.shared.count > 0 && few(this.shared, 3);
     this.shared.setOpacity(dims("shared"));
     for (const [code, batch] of this.open) {

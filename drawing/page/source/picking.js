@@ -52,7 +52,7 @@ export class Picker {
         hy = dz * vx - dx * vz,
         hz = dx * vy - dy * vx;
       const det = ux * hx + uy * hy + uz * hz;
-      if (det === 0) continue;
+      if (det === 0 || (det < 0 && !faces.hasBacks)) continue; // seen from behind
       const sx = ox - ax,
         sy = oy - ay,
         sz = oz - az;
