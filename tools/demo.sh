@@ -47,11 +47,12 @@ feel() {
   "$limpet" check "$out/felt_$shape.limpet"
   "$limpet" draw "$out/felt_$shape.run" -o "$out/felt_$shape.png"
   "$limpet" draw "$out/felt_$shape.run" --stages 1 -o "$out/felt_${shape}_path.png"
+  "$limpet" view "$out/felt_$shape.run" -o "$out/felt_$shape.html" --truth "$shape" || echo "the demo goes on without its page"
 }
 
 feel cube
 feel L
 
 echo
-echo "pictures, models (.limpet) and meshes (.off, .ply) are in $out:"
-ls "$out"/*.png
+echo "pictures, pages (.html), models (.limpet) and meshes (.off, .ply) are in $out:"
+ls "$out"/*.png "$out"/*.html 2>/dev/null || true

@@ -13,6 +13,6 @@ if [ "$skipped" -gt 0 ]; then
   echo "SKIPPED: $skipped of $total tests judged nothing, nearly all for want of real scans: set LIMPET_DATA to a folder"
   echo "that has them (tests/data_folder.hpp). $build/tests.log has their names."
 fi
-command -v "${LIMPET_BROWSER:-chromium}" >/dev/null ||
+command -v "${CHROMIUM:-chromium}" >/dev/null ||
   echo "SKIPPED: the page was not tried in a browser: tools/install_packages.sh browser installs Chromium."
 exit "$code"

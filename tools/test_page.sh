@@ -13,8 +13,8 @@ skip() { echo "skipped: $1"; exit 77; }
 command -v node >/dev/null || skip "there is no node (tools/install_packages.sh installs npm, which brings it)"
 command -v npm >/dev/null || skip "there is no npm (tools/install_packages.sh installs it)"
 command -v esbuild >/dev/null || skip "there is no esbuild (tools/install_packages.sh installs it)"
-LIMPET_BROWSER=${LIMPET_BROWSER:-$(command -v chromium || true)}
-[ -n "$LIMPET_BROWSER" ] || skip "there is no Chromium: tools/install_packages.sh browser installs it"
+CHROMIUM=${CHROMIUM:-$(command -v chromium || true)}
+[ -n "$CHROMIUM" ] || skip "there is no Chromium: tools/install_packages.sh browser installs it"
 
 mkdir -p "$work"
 exec 9>"$work/lock" && flock 9  # tests run side by side
@@ -32,5 +32,5 @@ install tests/page
 (cd "$root" && tar -cf - --exclude=node_modules drawing/page tests/page docs/native_format.md) | tar -xf - -C "$work"
 exec 9>&-
 
-export LIMPET_BROWSER LIMPET=$limpet
+export CHROMIUM LIMPET=$limpet
 cd "$work/tests/page" && exec node --test --test-reporter=spec "$@"

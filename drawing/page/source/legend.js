@@ -111,7 +111,7 @@ export class Legend {
         line.classList.toggle("off", !box.checked);
       },
     });
-    box.checked = owner.isShown(name);
+    box.checked = true;
     const press = button(
       label,
       title ?? label,
@@ -138,7 +138,6 @@ export class Legend {
       size,
     );
     this.grid.append(line);
-    line.classList.toggle("off", !box.checked);
     this.rows.push({ name, box, line, drawn, swatch, amount, measure, total, size, press, show, stress });
   }
 
