@@ -9,6 +9,7 @@
 //     limpet_bench streams --shapes cube --points 10000000     one long stream, looked at on its way
 //     limpet_bench sizes --boxes 1,10,100                      cities, as many points for each face
 //     limpet_bench latency --boxes 200                         how long one set of 26 takes
+//     limpet_bench hostile [--shapes holes,noise] [--full]     the same of clouds that are hard on a model
 //     limpet_bench view --boxes 9,200,1000                     how long questions to a model take
 //     limpet_bench redundancy                                   the thresholds of thesis §2.9
 //     limpet_bench polyhedra --shapes cube,step_hole           whole polyhedra beside PolyFit's
@@ -49,6 +50,7 @@ Json answer(const Json& request) {
   if (what == "judgement") return answer_judgement(request);
   if (what == "stream") return answer_stream(request);
   if (what == "latency") return answer_latency(request);
+  if (what == "hostile") return answer_hostile(request);
   if (what == "view") return answer_view(request);
   throw std::invalid_argument("no such measurement: " + what);
 }
@@ -71,6 +73,7 @@ struct Arguments {
   DefaultRunOptions default_run;
   SizeOptions sizes;
   LatencyOptions latency;
+  HostileOptions hostile;
   ViewOptions view;
   PolyhedraOptions polyhedra;
   RedundancyOptions redundancy;
@@ -151,6 +154,21 @@ void add_latency(CLI::App& app, Arguments& args) {
   c->callback([&args] { show(measure_latency(args.latency, args.limits), args.csv); });
 }
 
+void add_hostile(CLI::App& app, Arguments& args) {
+  auto* c = app.add_subcommand("hostile", "How long one set of 26 takes, of clouds that are hard on a model");
+  c->add_option("--shapes", args.hostile.shapes)
+      ->delimiter(',')
+      ->check(CLI::IsMember({"holes", "combs", "planes", "noise", "city:200"}));
+  c->add_flag("--full", args.hostile.full, "larger ones, too");
+  c->add_option("--csv", args.csv);
+  c->callback([&args] {
+    const HostileTables tables = measure_hostile(args.hostile, args.limits);
+    show(tables.times, args.csv);
+    std::puts("How this grows with the number of points, by stage:\n");
+    show(tables.growth, "");
+  });
+}
+
 void add_view(CLI::App& app, Arguments& args) {
   auto* c = app.add_subcommand("view", "How long questions to a model take, in cities");
   c->add_option("--boxes", args.view.boxes)->delimiter(',');
@@ -197,8 +215,8 @@ void add_report(CLI::App& app, Arguments& args) {
   c->add_flag("--full", args.report.full, "10^8 points, cities of up to 1000 boxes, more runs; hours");
   c->add_option("--parts", args.report.parts)
       ->delimiter(',')
-      ->check(
-          CLI::IsMember({"default", "latency", "streams", "sizes", "polyhedra", "redundancy", "throughput"}));
+      ->check(CLI::IsMember(
+          {"default", "latency", "hostile", "streams", "sizes", "polyhedra", "redundancy", "throughput"}));
   c->callback([&args] { write_report(args.report, args.limits); });
 }
 
@@ -214,6 +232,7 @@ int run(int argc, char** argv) {
   add_streams(app, args);
   add_sizes(app, args);
   add_latency(app, args);
+  add_hostile(app, args);
   add_view(app, args);
   add_polyhedra(app, args);
   add_redundancy(app, args);

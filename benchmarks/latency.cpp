@@ -1,37 +1,12 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "contestants.hpp"
+#include "latencies.hpp"
 #include "sections.hpp"
 
 namespace limpet::benchmarks {
 namespace {
-
-/// Times of sets, one by one.
-class Latencies {
- public:
-  void add(double seconds) { micros_.push_back(static_cast<float>(1e6 * seconds)); }
-
-  Json summary() {
-    std::sort(micros_.begin(), micros_.end());
-    const auto over = micros_.end() - std::upper_bound(micros_.begin(), micros_.end(), 1000.0f);
-    return {{"sets", micros_.size()}, {"median", quantile(0.5)},   {"q90", quantile(0.9)},
-            {"q99", quantile(0.99)},  {"q999", quantile(0.999)},   {"q9999", quantile(0.9999)},
-            {"worst", quantile(1)},   {"over_a_millisecond", over}};
-  }
-
- private:
-  /// The least time that at least this share of the sets do not exceed.
-  double quantile(double share) const {
-    if (micros_.empty()) return 0;
-    const double rank = std::ceil(share * static_cast<double>(micros_.size()));
-    return static_cast<double>(micros_[static_cast<std::size_t>(std::max(rank, 1.0)) - 1]);
-  }
-
-  std::vector<float> micros_;
-};
 
 Json update_by(model::Model& model, const ScanCase& scan_case) {
   Latencies wall, cpu;

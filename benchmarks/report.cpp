@@ -76,6 +76,17 @@ void add_latency(const ReportOptions& options, const Limits& limits, ReportPage&
              measure_latency(latency, limits), "latency");
 }
 
+void add_hostile(const ReportOptions& options, const Limits& limits, ReportPage& report) {
+  const HostileTables tables = measure_hostile({.full = options.full}, limits);
+  report.add("Hostile streams",
+             "Sets of 26 readings of clouds that are hard on a model, in random order; processor time.",
+             tables.times, "hostile");
+  report.add("How hostile streams grow",
+             "By stage: all of its time and the most that it took of one set, at the largest size, and the "
+             "exponents by which they grow with the number of points.",
+             tables.growth, "hostile_growth");
+}
+
 void add_polyhedra(const ReportOptions& options, const Limits& limits, ReportPage& report) {
   PolyhedraOptions polyhedra;
   if (!options.full) polyhedra.shapes = {"cube", "L", "step_hole", "city:3"}, polyhedra.points = {20'000};
@@ -102,12 +113,12 @@ void write_report(const ReportOptions& options, Limits limits) {
   ReportPage report(options.folder, options.commit,
                     "# limpet, measured\n\nWhat the figures mean: docs/benchmarks.md.\n",
                     {"default", "throughput", "stages", "streams", "sizes", "sizes_stages", "latency",
-                     "polyhedra", "redundancy"});
+                     "hostile", "hostile_growth", "polyhedra", "redundancy"});
   using Part = void (*)(const ReportOptions&, const Limits&, ReportPage&);
-  const std::map<std::string, Part> parts{{"default", add_default},      {"latency", add_latency},
-                                          {"streams", add_streams},      {"sizes", add_sizes},
-                                          {"polyhedra", add_polyhedra},  {"redundancy", add_redundancy},
-                                          {"throughput", add_throughput}};
+  const std::map<std::string, Part> parts{{"default", add_default},       {"latency", add_latency},
+                                          {"hostile", add_hostile},       {"streams", add_streams},
+                                          {"sizes", add_sizes},           {"polyhedra", add_polyhedra},
+                                          {"redundancy", add_redundancy}, {"throughput", add_throughput}};
   for (const std::string& name : options.parts) parts.at(name)(options, limits, report);
 }
 

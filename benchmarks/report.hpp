@@ -12,8 +12,8 @@ struct ReportOptions {
   std::string folder;  ///< made if need be
   std::string commit = "unknown";
   bool full = false;  ///< up to 10⁸ points and 5,001 faces
-  std::vector<std::string> parts{"default",   "latency",    "streams",   "sizes",
-                                 "polyhedra", "redundancy", "throughput"};
+  std::vector<std::string> parts{"default", "latency",   "hostile",    "streams",
+                                 "sizes",   "polyhedra", "redundancy", "throughput"};
 };
 
 /// Measures the parts; leaves report.md and, for each table, a .csv and a .md in the folder. Parts that are

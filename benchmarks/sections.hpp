@@ -81,6 +81,19 @@ struct LatencyOptions {
 Table measure_latency(const LatencyOptions&, const Limits&);
 Json answer_latency(const Json& request);
 
+// ---- How long one set takes of clouds that are hard on a model (hostile.cpp) ----------------------
+
+struct HostileOptions {
+  std::vector<std::string> shapes{"holes", "combs", "planes", "noise", "city:200"};
+  bool full = false;  ///< larger ones, too
+};
+struct HostileTables {
+  HostileTables();
+  Table times, growth;  ///< by shape and size; by shape and stage, against the number of points
+};
+HostileTables measure_hostile(const HostileOptions&, const Limits&);
+Json answer_hostile(const Json& request);
+
 // ---- How long questions to a model take (view.cpp) -------------------------------------------------
 
 struct ViewOptions {
