@@ -100,4 +100,18 @@ void EdgeIndex::flip(std::span<const Segment2> sweep) {
   }
 }
 
+bool EvenOdd::inside(Point2 p) {
+  // An index costs about as much as so many points without one.
+  constexpr std::size_t kFewAsked = 64, kFewEdges = 64;
+  if (!index_.active()) {
+    if (edges_.size() < kFewEdges || asked_++ < kFewAsked) return inside_even_odd(edges_, p);
+    Box2 box;
+    for (const auto& [a, b] : edges_) box.add(a), box.add(b);
+    index_.reset(box, edges_.size());
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) index_.add(i, edges_[i].first, edges_[i].second);
+    index_.flip(edges_);
+  }
+  return index_.covers(p) && index_.inside(p, [&](std::uint32_t i) { return edges_[i]; }).value_or(false);
+}
+
 }  // namespace limpet::geometry

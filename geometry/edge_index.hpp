@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include <limpet/geometry/cell_grid.hpp>
+#include <limpet/geometry/predicates.hpp>
 
 namespace limpet::geometry {
 
@@ -68,6 +70,36 @@ class EdgeIndex {
     if ((states_[i] & kHasEdges) == 0) return {{}, inside};
     return {edges_[i], inside};
   }
+  /// Is p inside the boundary, of which ends(slot) is an edge? Nothing when p is on it. Precondition as of
+  /// cell_at().
+  template <class Ends>
+  std::optional<bool> inside(Point2 p, Ends&& ends) const {
+    // Along the line from p to the reference point of its cell, each edge that is crossed changes the side.
+    // The reference point is taken to lie infinitesimally further in +x, as in flip(), since beyond 2^26
+    // steps it may lie on an edge.
+    const Cell cell = cell_at(p);
+    if (cell.edges.empty()) return cell.inside;
+    const Point2 r = reference_at(p);
+    const Box2 way = box_of(p, r);
+    const auto left_of_way = [&](Point2 v) {
+      const int side = orientation(p, r, v);
+      return side != 0 ? side > 0 : v.y > p.y;
+    };
+    bool inside = cell.inside;
+    for (const std::uint32_t i : cell.edges) {
+      const auto [a, b] = ends(i);
+      if (!way.meets(box_of(a, b))) continue;
+      const int side_p = orientation(a, b, p);
+      if (side_p == 0) {
+        if (box_of(a, b).contains(p)) return std::nullopt;
+        continue;  // p is on the edge's line beyond its ends, so the way does not cross it
+      }
+      int side_r = orientation(a, b, r);
+      if (side_r == 0) side_r = a.y < b.y ? -1 : 1;
+      inside ^= side_p != side_r && left_of_way(a) != left_of_way(b);
+    }
+    return inside;
+  }
   Point2 reference_at(Point2 p) const { return reference(grid_.column(p.x), grid_.row(p.y)); }
   bool covers(Point2 p) const { return grid_.box().contains(p); }
 
@@ -105,6 +137,19 @@ class EdgeIndex {
   static constexpr unsigned char kInside = 1, kHasEdges = 2;
   std::vector<unsigned char> states_;  ///< by cell; kInside: its reference point is inside
   std::vector<std::vector<std::uint32_t>> edges_;
+};
+
+/// inside_even_odd() of the same edges for many points: once some have been asked for, by an index. The edges
+/// have to stay where they are.
+class EvenOdd {
+ public:
+  explicit EvenOdd(std::span<const Segment2> edges) : edges_(edges) {}
+  bool inside(Point2 p);
+
+ private:
+  std::span<const Segment2> edges_;
+  std::size_t asked_ = 0;
+  EdgeIndex index_;
 };
 
 }  // namespace limpet::geometry

@@ -13,12 +13,12 @@ std::vector<Point2> points_of(const std::vector<NewVertex>& cycle) {
   return points;
 }
 
-bool inside_cycle(const std::vector<NewVertex>& cycle, Point2 p) {
+std::vector<Segment2> edges_of(const std::vector<NewVertex>& cycle) {
   std::vector<Segment2> edges;
   edges.reserve(cycle.size());
   for (std::size_t i = 0; i < cycle.size(); ++i)
     edges.emplace_back(cycle[i].at, cycle[(i + 1) % cycle.size()].at);
-  return inside_even_odd(edges, p);
+  return edges;
 }
 
 /// Precondition: the cycles are disjoint, so that each lies wholly where its first vertex lies.
@@ -26,13 +26,16 @@ bool nested_rightly(std::span<const std::vector<NewVertex>> cycles) {
   std::vector<Box2> boxes(cycles.size());
   for (std::size_t i = 0; i < cycles.size(); ++i)
     for (const NewVertex& v : cycles[i]) boxes[i].add(v.at);
-  for (std::size_t i = 1; i < cycles.size(); ++i)
-    for (std::size_t j = 0; j < cycles.size(); ++j) {
+  for (std::size_t j = 0; j < cycles.size(); ++j) {
+    const auto edges = edges_of(cycles[j]);
+    EvenOdd cycle(edges);
+    for (std::size_t i = 1; i < cycles.size(); ++i) {
       if (i == j) continue;
       const Point2 p = cycles[i].front().at;
-      const bool inside = boxes[j].contains(p) && inside_cycle(cycles[j], p);
+      const bool inside = boxes[j].contains(p) && cycle.inside(p);
       if (inside != (j == 0)) return false;
     }
+  }
   return true;
 }
 

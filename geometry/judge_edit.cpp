@@ -20,6 +20,13 @@ using internal::as_span;
 
 namespace {
 
+std::vector<Segment2> edges_of(const std::vector<Point2>& cycle) {
+  std::vector<Segment2> edges;
+  edges.reserve(cycle.size());
+  for (std::size_t i = 0; i < cycle.size(); ++i) edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
+  return edges;
+}
+
 /// What is known of a new cycle.
 struct Ring {
   bool witnessed = false;  ///< a vertex other than the ends of its chains stays: the inside is on the left
@@ -42,11 +49,12 @@ Verdict Polygon::judge_new_edges(const Difference& d) const {
 }
 
 Verdict Polygon::judge_swept(const Difference& d) const {
+  EvenOdd sweep(as_span(d.sweep));
   const bool swept = any_edge_near(d.box, [&](Slot s) {
     // A vertex whose edge is removed either goes too or begins a chain; one that ends a chain is on it as
     // well.
     if (!d.box.contains(at(s)) || d.removes(s) || d.ends_at(s)) return false;
-    return inside_even_odd(as_span(d.sweep), at(s));
+    return sweep.inside(at(s));
   });
   return swept ? Verdict::swept_vertex : Verdict::valid;
 }
@@ -73,6 +81,13 @@ std::size_t Polygon::untouched_outer(const Edit& edit) const {
   return outer;
 }
 
+/// A vertex, both of whose edges stay, of the run that was not walked.
+std::optional<Slot> Polygon::unwalked_vertex(const Difference& d) const {
+  const auto run = std::find_if(d.runs.begin(), d.runs.end(), [](const Run& r) { return !r.walked; });
+  if (run == d.runs.end()) return std::nullopt;
+  return run->kept[1];
+}
+
 Verdict Polygon::judge_orientation(const Edit& edit, Difference& d) const {
   if (edit.chains.size() == 1 && edit.loops.empty() && edit.removed_cycles.empty()) {
     const Chain& chain = edit.chains.front();
@@ -82,14 +97,14 @@ Verdict Polygon::judge_orientation(const Edit& edit, Difference& d) const {
   if (d.runs.empty()) d.runs = runs_of(edit);
   std::size_t outer = untouched_outer(edit);
   const bool outer_is_new = outer == 0;
-  Box2 outer_box;  // of a new anticlockwise cycle
+  const std::optional<Slot> witness = unwalked_vertex(d);
+  bool others_hold_witness = false;
   std::vector<Point2> points;
   const auto judge_cycle = [&](bool witnessed) {
     if (points.size() < 3) return Verdict::too_few_vertices;
     const int sign = chain_orientation(points);
+    if (witness) others_hold_witness ^= inside_even_odd(edges_of(points), at(*witness));
     outer += sign > 0;
-    if (sign > 0)
-      for (const Point2 p : points) outer_box.add(p);
     const bool right = sign != 0 && (witnessed || inside_others(points, d) == (sign < 0));
     return right ? Verdict::valid : Verdict::orientation;
   };
@@ -124,42 +139,30 @@ Verdict Polygon::judge_orientation(const Edit& edit, Difference& d) const {
   // The inside is bounded and lies on the left of all cycles, so at least one of them is anticlockwise. If no
   // other cycle is, then this one must be. Otherwise it must be a hole inside the other.
   if (outer == 0) return Verdict::valid;
-  const Point2 p = at(edit.chains[*long_ring].to);
-  if (outer > 1 || (outer_is_new && !outer_box.contains(p))) return Verdict::orientation;
-  return orientation_of(edit, d, *long_ring) < 0 ? Verdict::valid : Verdict::orientation;
-}
-
-/// Orientation of the new cycle that chain `first` is on, with all of its vertices visited.
-int Polygon::orientation_of(const Edit& edit, const Difference& d, std::size_t first) const {
-  std::vector<Point2> points;
-  std::size_t c = first;
-  do {
-    for (const NewVertex& v : edit.chains[c].via) points.push_back(v.at);
-    const std::size_t next_chain = d.runs[c].next_chain;
-    for (Slot s = edit.chains[c].to; s != edit.chains[next_chain].from; s = next(s)) points.push_back(at(s));
-    points.push_back(at(edit.chains[next_chain].from));
-    c = next_chain;
-  } while (c != first);
-  return chain_orientation(points);
+  if (outer > 1) return Verdict::orientation;
+  // It is a hole if the outside, which lies beside the witness, is within it. By the even-odd rule the new
+  // cycles together are the old ones that were touched and the sweep, and the witness is not swept. Of the
+  // old ones its own cycle has the outside beside it within it if it is a hole, and then so has the outer
+  // one.
+  const bool old_hold_witness = cycle(node(*witness).cycle).hole && !outer_is_new;
+  return old_hold_witness != others_hold_witness ? Verdict::valid : Verdict::orientation;
 }
 
 bool Polygon::inside_others(const std::vector<Point2>& cycle, const Difference& d) const {
-  std::vector<Segment2> edges;
   // The new boundary is the exclusive or of the old one and the sweep. So for a vertex that is not on the old
-  // boundary, locate() answers for the old one, and only the sweep has to be added.
+  // boundary, locate() answers for the old one, and only the sweep has to be added. The cycle's own edges are
+  // taken twice, and cancel.
   for (const Point2 p : cycle) {
     const Side side = locate(p);
     if (side == Side::boundary) continue;
-    edges.assign(d.sweep.begin(), d.sweep.end());
-    for (std::size_t i = 0; i < cycle.size(); ++i)
-      edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
-    return (side == Side::inside) != inside_even_odd(edges, p);
+    const bool inside_sweep = inside_even_odd(as_span(d.sweep), p) != inside_even_odd(edges_of(cycle), p);
+    return (side == Side::inside) != inside_sweep;
   }
+  std::vector<Segment2> edges = edges_of(cycle);
   for (std::uint32_t i = 0; i < nodes_.size(); ++i)
     if (nodes_[i].edge && !d.removes(Slot{i})) edges.emplace_back(at(Slot{i}), end(Slot{i}));
   for (const KeyedEdge& e : d.new_edges) edges.emplace_back(e.a, e.b);
-  for (std::size_t i = 0; i < cycle.size(); ++i) edges.emplace_back(cycle[i], cycle[(i + 1) % cycle.size()]);
-  return inside_even_odd(edges, cycle.front());  // the cycle's own edges occur twice and cancel
+  return inside_even_odd(edges, cycle.front());
 }
 
 Verdict Polygon::judge(const Edit& edit) const {

@@ -79,31 +79,10 @@ Polygon::Side Polygon::locate(Point2 p) const {
     }
     return inside ? Side::inside : Side::outside;
   }
-  // Along the line from p to the reference point of its cell, each edge that is crossed changes the side. The
-  // reference point is taken to lie infinitesimally further in +x, as in EdgeIndex::flip(), since beyond 2^26
-  // steps it may lie on an edge.
-  const EdgeIndex::Cell cell = index_.cell_at(p);
-  if (cell.edges.empty()) return cell.inside ? Side::inside : Side::outside;
-  const Point2 r = index_.reference_at(p);
-  const Box2 way = box_of(p, r);
-  const auto left_of_way = [&](Point2 v) {
-    const int side = orientation(p, r, v);
-    return side != 0 ? side > 0 : v.y > p.y;
-  };
-  inside = cell.inside;
-  for (const std::uint32_t i : cell.edges) {
-    const Point2 a = nodes_[i].at, b = at(nodes_[i].next);
-    if (!way.meets(box_of(a, b))) continue;
-    const int side_p = orientation(a, b, p);
-    if (side_p == 0) {
-      if (box_of(a, b).contains(p)) return Side::boundary;
-      continue;  // p is on the edge's line beyond its ends, so the way does not cross it
-    }
-    int side_r = orientation(a, b, r);
-    if (side_r == 0) side_r = a.y < b.y ? -1 : 1;
-    inside ^= side_p != side_r && left_of_way(a) != left_of_way(b);
-  }
-  return inside ? Side::inside : Side::outside;
+  const auto side = index_.inside(p, [&](std::uint32_t i) {
+    return Segment2{nodes_[i].at, at(nodes_[i].next)};
+  });
+  return !side ? Side::boundary : *side ? Side::inside : Side::outside;
 }
 
 Slot Polygon::add_node(const NewVertex& v, CycleId cycle, EdgeIds& ids) {

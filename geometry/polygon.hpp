@@ -183,7 +183,7 @@ class Polygon {
   Verdict judge_orientation(const Edit&, Difference&) const;
   Verdict judge_growth(const Difference&, double least) const;
   std::size_t untouched_outer(const Edit&) const;
-  int orientation_of(const Edit&, const Difference&, std::size_t first_chain) const;
+  std::optional<Slot> unwalked_vertex(const Difference&) const;
   void label_cycles(const Edit&, const Difference&, std::span<const Slot> loop_starts);
   /// Does this cycle of the candidate lie inside an odd number of the candidate's other cycles?
   bool inside_others(const std::vector<Point2>& cycle, const Difference&) const;

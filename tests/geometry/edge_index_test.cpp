@@ -32,6 +32,33 @@ TEST(InsideEvenOdd, IsTheSumOfTwoLoops) {
   EXPECT_TRUE(inside_even_odd(two, {15, 7}));
 }
 
+TEST(EvenOdd, SaysTheSameWithAnIndex) {
+  for (const double place : {0.0, 0x1p31}) {
+    Random random(7);
+    const auto any = [&](double beside) {
+      return Point2{place + static_cast<double>(random.whole(0, 300)) + beside,
+                    place + static_cast<double>(random.whole(0, 300))};
+    };
+    std::vector<Segment2> edges;  // chains that cross themselves and each other, one of them twice
+    for (const int vertices : {3, 90, 40}) {
+      std::vector<Point2> chain;
+      for (int i = 0; i < vertices; ++i) chain.push_back(any(0));
+      for (std::size_t i = 0; i < chain.size(); ++i)
+        edges.emplace_back(chain[i], chain[(i + 1) % chain.size()]);
+    }
+    for (std::size_t i = 93; i < 133; ++i) edges.push_back(edges[i]);
+    EvenOdd region(edges);
+    for (int k = 0; k < 2000; ++k) {
+      const Point2 p = any(0x1p-10);
+      const bool on_edge = std::any_of(edges.begin(), edges.end(), [&](const Segment2& e) {
+        return orientation(e.first, e.second, p) == 0 && box_of(e.first, e.second).contains(p);
+      });
+      if (!on_edge) ASSERT_EQ(region.inside(p), inside_even_odd(edges, p)) << p.x << " " << p.y;
+    }
+    EXPECT_FALSE(region.inside({place - 1000, place}));
+  }
+}
+
 /// An index over a closed boundary whose cells' sides are asked of every cell.
 void expect_references_hold(const EdgeIndex& index, const std::vector<Segment2>& edges, const Box2& box) {
   for (double x = box.low.x; x <= box.high.x; x += 3)
