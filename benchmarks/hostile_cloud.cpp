@@ -23,7 +23,7 @@ using survey::Random;
 constexpr double kNoise = 0.02, kDensity = 5;
 constexpr std::uint64_t kSeed = 1;
 
-Vector3d any_direction(Random& random) {
+Vector3d any_axis(Random& random) {
   for (;;) {
     const Vector3d d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     if (d.norm() > 0.1 && d.norm() < 1) return d.normalized();
@@ -32,7 +32,7 @@ Vector3d any_direction(Random& random) {
 
 /// A noisy reading of a surface there, from up to about 30° beside its normal.
 SensorPoint reading(Random& random, const Vector3d& at, const Vector3d& normal) {
-  const Vector3d axis = (0.5 * any_direction(random) - normal).normalized();
+  const Vector3d axis = (0.5 * any_axis(random) - normal).normalized();
   return {at + kNoise * random.normal() * axis, axis};
 }
 
@@ -102,7 +102,7 @@ std::vector<Rectangle> rectangles(int count) {
   for (int i = 0; i < count; ++i) {
     Vector3d centre;
     for (double& x : centre) x = random.uniform(kEdge / 4, 3 * kEdge / 4);
-    const Vector3d u = any_direction(random), v = u.cross(any_direction(random)).normalized();
+    const Vector3d u = any_axis(random), v = u.cross(any_axis(random)).normalized();
     const double a = random.uniform(kEdge / 4, kEdge / 2), b = random.uniform(kEdge / 4, kEdge / 2);
     area += 4 * a * b;
     all.push_back({centre, a * u, b * v, area});
@@ -128,7 +128,7 @@ HostileCloud noise(int points) {
   HostileCloud cloud = cloud_of(points, [=](Random& random) {
     Vector3d at;
     for (double& x : at) x = random.uniform(0, edge);
-    return SensorPoint{at, any_direction(random)};
+    return SensorPoint{at, any_axis(random)};
   });
   cloud.parameters.noise = 0.2;
   return cloud;
