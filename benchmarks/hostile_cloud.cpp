@@ -71,7 +71,9 @@ HostileCloud holes(int count) {
   }
   return sheet(side * kApart, side * kApart, area, [=](double x, double y) {
     const auto i = static_cast<int>(x / kApart), j = static_cast<int>(y / kApart);
-    const double half = widths[static_cast<std::size_t>(j * side + i)] / 2;
+    const double half =
+        widths[static_cast<std::size_t>(j) * static_cast<std::size_t>(side) + static_cast<std::size_t>(i)] /
+        2;
     return std::max(std::abs(x - (i + 0.5) * kApart), std::abs(y - (j + 0.5) * kApart)) > half;
   });
 }
