@@ -38,7 +38,7 @@ SensorPoint reading(Random& random, const Vector3d& at, const Vector3d& normal) 
 
 /// Makes so many readings, one after the other.
 template <class Make>
-HostileCloud cloud_of(double points, Make make) {
+HostileCloud cloud_of(double points, const Make& make) {
   HostileCloud cloud;
   cloud.parameters.resolution = 1, cloud.parameters.noise = kNoise;
   cloud.scan = [count = std::llround(points), make](const auto& take) {
@@ -50,7 +50,7 @@ HostileCloud cloud_of(double points, Make make) {
 
 /// Readings of those parts of a rectangle in the plane z = 0 for which `is_there`.
 template <class IsThere>
-HostileCloud sheet(double width, double height, double area, IsThere is_there) {
+HostileCloud sheet(double width, double height, double area, const IsThere& is_there) {
   return cloud_of(kDensity * area, [=](Random& random) {
     for (;;) {
       const double x = random.uniform(0, width), y = random.uniform(0, height);

@@ -40,7 +40,7 @@ class Buffer {
  public:
   /// Returns the accessor's number.
   int add(const std::string& bytes, int target, int component, const char* type, std::size_t count,
-          json more) {
+          const json& more) {
     views_.push_back(
         {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}, {"target", target}});
     json accessor = {

@@ -46,8 +46,7 @@ void expect_same(const TimelineReader& read, const Model& model, const TimelineS
       // The record may begin a cycle at another of its vertices.
       std::map<std::uint64_t, const io::LiftedVertex*> by_edge;
       for (const auto& vertex : polygon.cycles[c]) by_edge[vertex.edge] = &vertex;
-      for (std::size_t i = 0; i < cycle.vertices.size(); ++i) {
-        const auto& vertex = cycle.vertices[i];
+      for (const auto& vertex : cycle.vertices) {
         ASSERT_TRUE(by_edge.contains(vertex.edge));
         EXPECT_EQ(vertex.partner, by_edge[vertex.edge]->partner);
         EXPECT_LT((space.world(vertex.at) - by_edge[vertex.edge]->at).norm(), space.step);

@@ -92,7 +92,8 @@ TEST_F(DrawnModelTest, GltfHasFacesTurnedOutwardsAndEdgesAsLines) {
     double area = 0;
     const Vector3d middle = with_y_up(offset + Vector3d::Constant(0.5));
     for (std::size_t i = 0; i < corners.size(); i += 3) {
-      const Vector3d a = places.at(corners[i]), b = places.at(corners[i + 1]), c = places.at(corners[i + 2]);
+      const Vector3d &a = places.at(corners[i]), &b = places.at(corners[i + 1]),
+                     &c = places.at(corners[i + 2]);
       const Vector3d twice = (b - a).cross(c - a);
       area += twice.norm() / 2;
       EXPECT_GT(twice.dot(normals.at(corners[i])), 0);
