@@ -5,9 +5,9 @@
 
 // The files of the build, as they are (page_parts.S).
 extern "C" {
-extern const char limpet_page_html[], limpet_page_html_end[];
-extern const char limpet_page_style[], limpet_page_style_end[];
-extern const char limpet_page_program[], limpet_page_program_end[];
+extern const char kLimpetPageHtml[], kLimpetPageHtmlEnd[];
+extern const char kLimpetPageStyle[], kLimpetPageStyleEnd[];
+extern const char kLimpetPageProgram[], kLimpetPageProgramEnd[];
 }
 
 namespace limpet::drawing::internal {
@@ -20,8 +20,8 @@ std::string_view part(const char* begin, const char* end) {
 }  // namespace
 
 PageParts page_parts() {
-  return {part(limpet_page_html, limpet_page_html_end), part(limpet_page_style, limpet_page_style_end),
-          part(limpet_page_program, limpet_page_program_end)};
+  return {part(kLimpetPageHtml, kLimpetPageHtmlEnd), part(kLimpetPageStyle, kLimpetPageStyleEnd),
+          part(kLimpetPageProgram, kLimpetPageProgramEnd)};
 }
 
 }  // namespace limpet::drawing::internal

@@ -220,10 +220,10 @@ void Timeline::put_polygons(const model::View& view, const std::vector<SegmentId
 
 /// What of a polygon is not as it was put last.
 void Timeline::put_polygon(std::uint64_t id, const Polygon& now, bool initial) {
-  static const Polygon kNothing;
+  static const Polygon nothing;
   const auto known = polygons_.find(id);
   const bool is_new = known == polygons_.end();
-  const Polygon& before = is_new ? kNothing : known->second;
+  const Polygon& before = is_new ? nothing : known->second;
   const bool figures = is_new || now.count != before.count || now.residual != before.residual;
   const bool plane = is_new || now.plane != before.plane;
   const bool boundary = is_new || now.boundary != before.boundary;
