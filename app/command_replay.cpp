@@ -16,10 +16,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void warn(const std::string& path, const std::string& what) {
-  std::fprintf(stderr, "limpet: warning: %s: %s\n", path.c_str(), what.c_str());
-}
-
 /// What is known of a set without a follower.
 void add(FollowOutcome& outcome, const RunSet& set) {
   outcome.path.push_back(set.control_point);
@@ -35,8 +31,8 @@ int run_again(const FollowArguments& args) {
   files.require_apart();
   RunReader reader(args.replay);
   if (reader.head().arithmetic != geometry::arithmetic())
-    warn(args.replay,
-         "recorded with other arithmetic (" + reader.head().arithmetic + "): the model may not be the same");
+    warn_of_run(args.replay, "recorded with other arithmetic (" + reader.head().arithmetic +
+                                 "): the model may not be the same");
   catch_interrupts();
   const auto start = Clock::now();
   model::Model model = model_before(reader.head());
@@ -57,7 +53,7 @@ int run_again(const FollowArguments& args) {
   summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   progress.clear();
   if (!reader.is_whole() && !interrupted())
-    warn(args.replay, "the run was cut short: it ends without its end");
+    warn_of_run(args.replay, "the run was cut short: it ends without its end");
   summary.run.ended = reader.end().reason;
   summary.run.marks = reader.end().marks;
   Outputs outputs;

@@ -29,10 +29,6 @@ using Eigen::Vector3d;
 constexpr std::int64_t kMostReasons = 400;  ///< times that it is asked why edges are open
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-void warn(const std::string& path, const std::string& what) {
-  std::fprintf(stderr, "limpet: warning: %s: %s\n", path.c_str(), what.c_str());
-}
-
 model::Capsule in_world(const model::Capsule& part, const Eigen::Isometry3d& link) {
   return {link * part.a, link * part.b, part.radius};
 }
@@ -245,7 +241,7 @@ std::string page_of_run(const std::string& path, const PageOptions& options) {
   if (sets == 0) throw io::InputError(path, "the run has no set: there is nothing to play");
   auto player = std::make_unique<RunPlayer>(path, sets, options, true);
   if (!player->play()) {
-    warn(path, "its follower was another one: what it was after is left out");
+    warn_of_run(path, "its follower was another one: what it was after is left out");
     player = std::make_unique<RunPlayer>(path, sets, options, false);
     player->play();
   }

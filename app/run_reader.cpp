@@ -2,6 +2,7 @@
 #include <limpet/app/run_reader.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <limpet/io/text.hpp>
 
 #include "run_fields_internal.hpp"
@@ -110,6 +111,10 @@ std::int64_t count_sets(const std::string& path) {
   std::int64_t sets = 0;
   for (RunSet set; reader.next(set);) ++sets;
   return sets;
+}
+
+void warn_of_run(const std::string& path, const std::string& what) {
+  std::fprintf(stderr, "limpet: warning: %s: %s\n", path.c_str(), what.c_str());
 }
 
 }  // namespace limpet::app

@@ -36,6 +36,9 @@ class RunReader {
 /// Do the first bytes of this file say that it is a recorded run?
 bool is_run(const std::string& path);
 
+/// A warning on standard error, in one line.
+void warn_of_run(const std::string& path, const std::string& what);
+
 /// Reads a run from end to end, as a check, and counts its sets. Errors: io::InputError.
 std::int64_t count_sets(const std::string& path);
 

@@ -1,7 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/app/run_stages.hpp>
 
-#include <cstdio>
 #include <filesystem>
 #include <limpet/app/run_reader.hpp>
 #include <limpet/io/text.hpp>
@@ -38,9 +37,7 @@ std::vector<drawing::Figure> run_stages(const std::string& path, int count) {
     if (stops.count(sets) > 0) figures.push_back(figure_of(model, io::grouped(sets) + " sets", way));
   }
   model.finish();
-  if (!reader.is_whole())
-    std::fprintf(stderr, "limpet: warning: %s: the run was cut short: it ends without its end\n",
-                 path.c_str());
+  if (!reader.is_whole()) warn_of_run(path, "the run was cut short: it ends without its end");
   const std::string name = std::filesystem::path(path).stem().string();
   figures.push_back(
       figure_of(model, name + ": " + reader.end().reason + ", " + io::grouped(sets) + " sets", way));

@@ -81,7 +81,7 @@ def main():
     args = parser.parse_args()
     units = {}
     for entry in json.loads((args.build / "compile_commands.json").read_text()):
-        if not any(part in entry["file"] + entry["command"] for part in TWICE):
+        if entry["file"].endswith(".cpp") and not any(part in entry["file"] + entry["command"] for part in TWICE):
             units.setdefault(unit_of(entry), Unit(unit_of(entry))).add(entry)
     longest_first = sorted(units.values(), key=lambda unit: -len(unit.files))
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
