@@ -53,6 +53,7 @@ void require_files(const FollowArguments& args, const SceneFile& scene) {
   if (scene.world.mesh != args.scene) files.reads("the scene's mesh", scene.world.mesh);
   files.reads("the scene's image", scene.world.image);
   files.reads("the initial faces", scene.world.initial_mesh);
+  if (args.robot != "point" && args.robot != "arm") files.reads("--robot", args.robot);
   files.require_apart();
 }
 

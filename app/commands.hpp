@@ -14,7 +14,8 @@
 #include <vector>
 
 /// The commands of the program, each in a file of its own. A command returns its exit code; it throws
-/// UsageError, io::InputError, io::OutputError or simulation::MeshError for what is the caller's to mend.
+/// UsageError, io::InputError, io::OutputError, simulation::MeshError or kinematics::RobotError for what is
+/// the caller's to mend.
 namespace limpet::app {
 
 /// Exit codes (a contract: scripts rely on them).
@@ -55,7 +56,8 @@ int run(const ModelArguments&);
 struct FollowArguments {
   std::string scene;                ///< a shape, a mesh file or a scene file (.toml)
   std::vector<std::string> models;  ///< where to write the model; the format by extension
-  std::string robot;                ///< empty: the scene's, or the point robot
+  std::string robot;                ///< point, arm, .urdf or .toml; empty: the scene's, or the point robot
+  std::vector<std::string> package_paths;  ///< where what the robot's file names is sought
   std::optional<following::Strategy> strategy;
   std::optional<Eigen::Vector3d> start;
   std::string initial;  ///< a mesh of faces known beforehand

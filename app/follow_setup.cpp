@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limpet/app/arguments.hpp>
+#include <limpet/app/robot_file.hpp>
 #include <limpet/io/text.hpp>
+#include <limpet/kinematics/arm.hpp>
 #include <stdexcept>
 
 namespace limpet::app {
@@ -14,6 +16,7 @@ constexpr double kDegree = 0.017453292519943295;
 SceneFile scene_of(const FollowArguments& args) {
   SceneFile scene = read_scene(args.scene);
   if (!args.robot.empty()) scene.robot.kind = args.robot;
+  scene.robot.package_paths = args.package_paths;
   if (args.resolution) scene.parameters.resolution = args.resolution;
   if (args.angle_deg) scene.parameters.angle_rad = *args.angle_deg * kDegree;
   if (args.redundancy) scene.parameters.redundancy = args.redundancy;
@@ -66,9 +69,22 @@ following::Parameters following_of(const SceneFile& scene, double resolution) {
   return p;
 }
 
+/// A robot other than the point robot. The thesis's arm is as large against λ as there (§4.3: λ is 0.05).
+kinematics::Robot arm_of(const SceneRobot& robot, const following::Parameters& p) {
+  if (*robot.kind == "arm") return kinematics::arm(kinematics::scaled({}, p.resolution / 0.05));
+  return read_robot(*robot.kind, robot.package_paths).robot;
+}
+
+/// Throws UsageError when a robot is not the three sliders that following knows so far.
+void require_followed(const kinematics::Robot& robot) {
+  using Kind = kinematics::Joint::Kind;
+  const auto turns = [](const kinematics::Link& link) { return link.joint.kind == Kind::revolute; };
+  if (robot.joint_count() != 3 || std::any_of(robot.links.begin(), robot.links.end(), turns))
+    throw UsageError("--robot: following with this robot is not built yet; there is point");
+}
+
 kinematics::Robot robot_of(const SceneFile& scene, const following::Parameters& p, std::uint64_t seed) {
-  const std::string kind = scene.robot.kind.value_or("point");
-  if (kind != "point") throw UsageError("--robot " + kind + ": there is only the point robot so far: point");
+  if (scene.robot.kind.value_or("point") != "point") return arm_of(scene.robot, p);
   const double ceiling = scene.robot.ceiling.value_or(p.resolution);
   if (!(ceiling > 0 && ceiling < p.sensing_range))
     throw UsageError("the ceiling γ of " + io::short_text(ceiling) +
@@ -111,6 +127,7 @@ FollowSetup make_setup(const SceneFile& scene) {
   const double resolution = resolution_of(scene, setup.world);
   setup.following = following_of(scene, resolution);
   setup.robot = robot_of(scene, setup.following, setup.seed);
+  require_followed(setup.robot);
   setup.model = model_of(scene, setup.world, resolution);
   require_sensors(setup.robot, scene.errors);
   setup.errors = scene.errors;

@@ -15,6 +15,7 @@
 #include <limpet/drawing/page.hpp>
 #include <limpet/geometry/predicates.hpp>
 #include <limpet/io/error.hpp>
+#include <limpet/kinematics/urdf.hpp>
 #include <limpet/simulation/mesh.hpp>
 #include <limpet/simulation/shapes.hpp>
 #include <memory>
@@ -140,8 +141,8 @@ void refuse_with_replay(CLI::App& app, const FollowArguments& args) {
       return;
     }
     for (const std::string name :
-         {"SCENE", "--record", "--robot", "--strategy", "--start", "--initial", "--resolution", "--angle",
-          "--noise", "--encoder-noise", "--redundancy", "--max-sets", "--seed"})
+         {"SCENE", "--record", "--robot", "--package-path", "--strategy", "--start", "--initial",
+          "--resolution", "--angle", "--noise", "--encoder-noise", "--redundancy", "--max-sets", "--seed"})
       if (app.count(name) > 0)
         throw UsageError("--replay RUN takes no " + name + ": the recorded run is modelled as it was");
   });
@@ -157,7 +158,16 @@ void add_follow(CLI::App& root, Command& chosen) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("MODEL");
-  app.add_option("--robot", args->robot, "point (default): the mobile point robot with 26 range finders");
+  app.add_option(
+         "--robot", args->robot,
+         "point (default): the mobile point robot with 26 range finders; arm: the thesis's arm; a URDF "
+         "(.urdf) or a robot file (.toml)")
+      ->type_name("ROBOT");
+  app.add_option("--package-path", args->package_paths,
+                 "A folder in which the robot's URDF and meshes are sought; may be given several times")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("DIR");
   text_option(app, "--strategy", "NAME", "frontier (default) or thesis", [args](const std::string& text) {
     if (text != "frontier" && text != "thesis")
       throw UsageError("--strategy '" + text + "': give frontier or thesis");
@@ -424,6 +434,8 @@ int main(int argc, char** argv) {
   } catch (const limpet::io::OutputError& error) {
     return fail(error.what(), kBadInput);
   } catch (const limpet::drawing::NoPage& error) {
+    return fail(error.what(), kBadInput);
+  } catch (const limpet::kinematics::RobotError& error) {
     return fail(error.what(), kBadInput);
   } catch (const limpet::simulation::MeshError& error) {
     return fail(error.what(), kBadInput);

@@ -16,10 +16,12 @@ namespace limpet::app {
 
 /// The robot of a scene.
 struct SceneRobot {
-  std::optional<std::string> kind;      ///< "point", the only one there is
-  std::optional<double> sensing_range;  ///< scan's unit
-  std::optional<double> ceiling;        ///< γ of prismatic joints, scan's unit
-  std::optional<double> ceiling_rad;    ///< γ of revolute joints
+  /// In a scene "point"; on the command line also "arm", a URDF or a robot file.
+  std::optional<std::string> kind;
+  std::vector<std::string> package_paths;  ///< where what the robot's file names is sought
+  std::optional<double> sensing_range;     ///< scan's unit
+  std::optional<double> ceiling;           ///< γ of prismatic joints, scan's unit
+  std::optional<double> ceiling_rad;       ///< γ of revolute joints
   simulation::Turn heading;
 };
 

@@ -156,12 +156,27 @@ bool TomlSection::is_list(const std::string& key) const {
 
 std::optional<TomlSection> TomlSection::section(const std::string& key,
                                                 const std::vector<std::string>& known) const {
+  std::optional<TomlSection> found = table(key);
+  if (found) found->allow(known);
+  return found;
+}
+
+std::string TomlSection::name_of(const std::string& key) const {
+  return inside_->name.empty() ? key : inside_->name + "." + key;
+}
+
+std::optional<TomlSection> TomlSection::table(const std::string& key) const {
   if (!has(key)) return std::nullopt;
   const toml::table* table = inside_->table->get(key)->as_table();
-  if (!table) fail(key, called(key) + " must be a table: begin it with [" + key + "] on a line of its own");
-  TomlSection found(std::make_unique<Inside>(Inside{inside_->file, table, inside_->path, key}));
-  found.allow(known);
-  return found;
+  if (!table)
+    fail(key, called(key) + " must be a table: begin it with [" + name_of(key) + "] on a line of its own");
+  return TomlSection(std::make_unique<Inside>(Inside{inside_->file, table, inside_->path, name_of(key)}));
+}
+
+std::vector<std::string> TomlSection::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, node] : *inside_->table) keys.emplace_back(key.str());
+  return keys;
 }
 
 void TomlSection::each(const std::string& key, const std::vector<std::string>& known,
@@ -173,8 +188,8 @@ void TomlSection::each(const std::string& key, const std::vector<std::string>& k
   if (!array) fail(key, wrong);
   for (const toml::node& node : *array) {
     if (!node.is_table()) fail(key, wrong);
-    TomlSection found(std::make_unique<Inside>(
-        Inside{inside_->file, node.as_table(), inside_->path, inside_->name + "." + key}));
+    TomlSection found(
+        std::make_unique<Inside>(Inside{inside_->file, node.as_table(), inside_->path, name_of(key)}));
     found.allow(known);
     take(found);
   }
@@ -211,6 +226,20 @@ std::optional<std::string> TomlSection::text(const std::string& key) const {
   const toml::node& node = *inside_->table->get(key);
   if (!node.is_string()) fail(key, called(key) + " must be a text in quotes");
   return node.value<std::string>();
+}
+
+std::optional<std::vector<std::string>> TomlSection::texts(const std::string& key) const {
+  if (!has(key)) return std::nullopt;
+  if (is_text(key)) return std::vector<std::string>{*text(key)};
+  std::vector<std::string> values;
+  const toml::array* array = inside_->table->get(key)->as_array();
+  bool good = array != nullptr;
+  for (std::size_t i = 0; good && i < array->size(); ++i) {
+    good = (*array)[i].is_string();
+    values.push_back((*array)[i].value<std::string>().value_or(""));
+  }
+  if (!good) fail(key, called(key) + " must be a text in quotes, or a list of them");
+  return values;
 }
 
 std::optional<std::string> TomlSection::file(const std::string& key) const {

@@ -33,6 +33,10 @@ class TomlSection {
   bool is_list(const std::string& key) const;
   /// The table of this name, with no other keys than these.
   std::optional<TomlSection> section(const std::string& key, const std::vector<std::string>& known) const;
+  /// The same with whatever keys: those of names that the file's author chose.
+  std::optional<TomlSection> table(const std::string& key) const;
+  /// Its keys, in alphabetical order.
+  std::vector<std::string> keys() const;
   /// Each table of an array of tables.
   void each(const std::string& key, const std::vector<std::string>& known,
             const std::function<void(const TomlSection&)>& take) const;
@@ -41,6 +45,8 @@ class TomlSection {
   std::optional<std::int64_t> whole(const std::string& key, std::int64_t least, std::int64_t most) const;
   bool flag(const std::string& key) const;  ///< false when it is not there
   std::optional<std::string> text(const std::string& key) const;
+  /// A text, or a list of texts.
+  std::optional<std::vector<std::string>> texts(const std::string& key) const;
   /// A file that is there; as its name is seen from here.
   std::optional<std::string> file(const std::string& key) const;
   /// So many numbers, from `least` to `most` of them.
@@ -58,6 +64,7 @@ class TomlSection {
 
  private:
   struct Inside;
+  std::string name_of(const std::string& key) const;  ///< of a table in this one
   explicit TomlSection(std::unique_ptr<Inside>);
   std::unique_ptr<Inside> inside_;
 };

@@ -11,14 +11,6 @@ namespace {
 
 bool moves(const Link& link) { return link.joint.kind != Joint::Kind::fixed; }
 
-Eigen::Isometry3d motion_of(const Joint& joint, double position) {
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  if (joint.kind == Joint::Kind::prismatic) motion.translation() = position * joint.axis;
-  if (joint.kind == Joint::Kind::revolute)
-    motion.linear() = Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
-  return motion;
-}
-
 }  // namespace
 
 Posture::Posture(const Robot& robot, const Configuration& configuration)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limpet/kinematics/sensor_patterns.hpp>
 #include <stdexcept>
 
 namespace limpet::kinematics {
@@ -32,11 +33,20 @@ void require_sound(const Link& link, std::size_t i) {
   require(is_rigid(link.mounting), where + ": its mounting must be a finite translation and a rotation");
   require(is_unit(link.joint.axis), where + ": the axis of its joint must be a unit vector");
   require(link.joint.low <= link.joint.high, where + ": the limits of its joint are out of order");
+  require(link.joint.max_velocity > 0, where + ": the largest velocity of its joint must be positive");
   require(std::all_of(link.body.begin(), link.body.end(), is_sound),
           where + ": a part of its body must have finite ends and a radius of 0 or more");
 }
 
 }  // namespace
+
+Eigen::Isometry3d motion_of(const Joint& joint, double position) {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  if (joint.kind == Joint::Kind::prismatic) motion.translation() = position * joint.axis;
+  if (joint.kind == Joint::Kind::revolute)
+    motion.linear() = Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
+  return motion;
+}
 
 std::size_t Robot::joint_count() const {
   return static_cast<std::size_t>(std::count_if(
@@ -58,6 +68,12 @@ void require_sound(const Robot& robot) {
   require(robot.ceilings.prismatic > 0 && robot.ceilings.revolute_rad > 0, "ceilings must be positive");
 }
 
+Robot placed(Robot robot, const Eigen::Isometry3d& base) {
+  for (Link& link : robot.links)
+    if (!link.parent) link.mounting = base * link.mounting;
+  return robot;
+}
+
 Robot point_robot(const PointRobotOptions& options) {
   Robot robot;
   robot.name = "point";
@@ -75,13 +91,7 @@ Robot point_robot(const PointRobotOptions& options) {
   body.mounting.linear() = options.heading.normalized().toRotationMatrix();
   robot.links.push_back(body);
   robot.control_point.link = 3;
-  for (int corners = 1; corners <= 3; ++corners)  // how many coordinates are not 0: faces, edges, corners
-    for (int x = -1; x <= 1; ++x)
-      for (int y = -1; y <= 1; ++y)
-        for (int z = -1; z <= 1; ++z)
-          if (std::abs(x) + std::abs(y) + std::abs(z) == corners)
-            robot.sensors.push_back(
-                {3, Eigen::Vector3d::Zero(), Eigen::Vector3d(x, y, z).normalized(), options.sensing_range});
+  robot.sensors = ball({.link = 3, .range = options.sensing_range});
   require_sound(robot);
   return robot;
 }

@@ -20,7 +20,12 @@ struct Joint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit vector in the joint's frame
   /// Limits of the joint's position: lengths of a prismatic joint, radians of a revolute one.
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  /// The fastest it moves: lengths or radians a second. Runs, which have no times, do not record it.
+  double max_velocity = std::numeric_limits<double>::infinity();
 };
+
+/// How a joint at this position moves its link in the joint's frame.
+Eigen::Isometry3d motion_of(const Joint&, double position);
 
 /// A rigid part of the robot. Its frame is its joint's frame, moved by the joint.
 struct Link {
@@ -66,10 +71,13 @@ struct Robot {
 };
 
 /// Throws std::invalid_argument, with one line that says what and where, when a link's parent does not come
-/// before it, a mounting is not rigid, an axis is no unit vector, a position is not finite, a range or
-/// ceiling is not positive, a radius is negative, limits are out of order, or a link of the control point or
-/// of a sensor does not exist.
+/// before it, a mounting is not rigid, an axis is no unit vector, a position is not finite, a range, ceiling
+/// or velocity is not positive, a radius is negative, limits are out of order, or a link of the control point
+/// or of a sensor does not exist.
 void require_sound(const Robot&);
+
+/// The same robot, standing elsewhere: whatever the world carries is moved by `base`, rigidly, in the world.
+Robot placed(Robot, const Eigen::Isometry3d& base);
 
 /// What the mobile point robot of thesis §4.3 is made of.
 struct PointRobotOptions {

@@ -6,8 +6,8 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache mold clang-format
   libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libboost-dev libopenmesh-dev libpng-dev
-  libcli11-dev nlohmann-json3-dev libtomlplusplus-dev
-  libgtest-dev librapidcheck-dev python3 locales
+  libcli11-dev nlohmann-json3-dev libtomlplusplus-dev liburdfdom-dev
+  libgtest-dev librapidcheck-dev liborocos-kdl-dev python3 locales
   zlib1g-dev libcgal-demo)
 for group in "$@"; do
   case $group in

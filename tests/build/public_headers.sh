@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # Public headers need Eigen and nothing else: each that `make install` leaves behind compiles on its own, and opens no
 # file but our own headers, Eigen's and the standard library's. Headers that need more are named *_internal.hpp, and
-# are not installed. No other header of the source tree includes CGAL, OpenMesh or Boost.
+# are not installed. No other header of the source tree includes CGAL, OpenMesh, Boost or urdfdom.
 #
 #   public_headers.sh SOURCE BUILD COMPILER EIGEN WORK
 set -euo pipefail
 source=$1 build=$2 compiler=$3 eigen=$4 work=$5
 
-leaks=$(cd "$source" && grep -rlE '#include *[<"](CGAL|OpenMesh|boost)/' --include='*.hpp' \
+leaks=$(cd "$source" && grep -rlE '#include *[<"](CGAL|OpenMesh|boost|urdf_[a-z]+|console_bridge)/' --include='*.hpp' \
   audit geometry model io survey kinematics following simulation evaluation drawing app | grep -v '_internal\.hpp$' || true)
-[ -z "$leaks" ] || { echo "these headers include CGAL, OpenMesh or Boost:"; echo "$leaks"; exit 1; }
+[ -z "$leaks" ] || { echo "these headers include CGAL, OpenMesh, Boost or urdfdom:"; echo "$leaks"; exit 1; }
 
 rm -rf "$work" && mkdir -p "$work"
 cmake --install "$build" --prefix "$work/installed" > "$work/install.log"

@@ -11,8 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRightAngle = std::numbers::pi / 2;
-
 TEST(Posture, ArmInThePlaneIsWhereAHandWouldDrawIt) {
   Robot arm = testing::planar_arm(2);
   arm.sensors.push_back({1, Vector3d(0.5, 0, 0), Vector3d::UnitY(), 1});
@@ -20,14 +18,14 @@ TEST(Posture, ArmInThePlaneIsWhereAHandWouldDrawIt) {
   const Posture straight(arm, Eigen::Vector2d(0, 0));
   EXPECT_TRUE(straight.control_point().isApprox(Vector3d(2, 0, 0)));
 
-  const Posture bent(arm, Eigen::Vector2d(kRightAngle, -kRightAngle));
+  const Posture bent(arm, Eigen::Vector2d(testing::kRightAngle, -testing::kRightAngle));
   EXPECT_TRUE(bent.link(1).translation().isApprox(Vector3d(0, 1, 0)));
   EXPECT_TRUE(bent.control_point().isApprox(Vector3d(1, 1, 0)));
   EXPECT_TRUE(bent.sensor(0).position.isApprox(Vector3d(0.5, 1, 0)));
   EXPECT_TRUE(bent.sensor(0).axis.isApprox(Vector3d::UnitY()));
   EXPECT_EQ(bent.sensor(0).range, 1);
 
-  const Posture folded(arm, Eigen::Vector2d(kRightAngle, 2 * kRightAngle));
+  const Posture folded(arm, Eigen::Vector2d(testing::kRightAngle, 2 * testing::kRightAngle));
   EXPECT_LT(folded.control_point().norm(), 1e-12);
 }
 
@@ -39,7 +37,7 @@ TEST(Posture, SliderOnATurntableSlidesWhereItPoints) {
   robot.links[1].mounting.translation() = Vector3d(0, 0, 1);
   robot.links[1].joint = {Joint::Kind::prismatic, Vector3d::UnitX()};
   robot.control_point.link = 1;
-  const Posture posture(robot, Eigen::Vector2d(kRightAngle, 3));
+  const Posture posture(robot, Eigen::Vector2d(testing::kRightAngle, 3));
   EXPECT_TRUE(posture.control_point().isApprox(Vector3d(0, 3, 1)));
   EXPECT_TRUE(posture.jacobian().isApprox(Eigen::Matrix<double, 3, 2>{{-3, 0}, {0, 1}, {0, 0}}, 1e-12));
 }

@@ -4,10 +4,13 @@
 #include <Eigen/Geometry>
 #include <limpet/kinematics/posture.hpp>
 #include <limpet/survey/random.hpp>
+#include <numbers>
 #include <string>
 
 /// Robots at random.
 namespace limpet::kinematics::testing {
+
+inline constexpr double kRightAngle = std::numbers::pi / 2;
 
 inline Eigen::Vector3d random_vector(survey::Random& random, double reach) {
   const double x = random.uniform(-reach, reach);

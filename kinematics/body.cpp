@@ -1,0 +1,84 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/kinematics/body.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limpet::kinematics {
+namespace {
+
+using Eigen::Vector3d;
+
+/// What of the capsule's axis is outside the ball: none, one or two pieces.
+std::vector<model::Capsule> outside_ball(const model::Capsule& capsule, const Vector3d& centre,
+                                         double radius) {
+  const Vector3d along = capsule.b - capsule.a, from_centre = capsule.a - centre;
+  const double a = along.squaredNorm(), half_b = along.dot(from_centre);
+  const double c = from_centre.squaredNorm() - radius * radius;
+  const double discriminant = half_b * half_b - a * c;
+  if (!(radius > 0) || (a == 0 ? c >= 0 : discriminant <= 0)) return {capsule};
+  if (a == 0) return {};
+  const double root = std::sqrt(discriminant), enters = (-half_b - root) / a, leaves = (-half_b + root) / a;
+  if (enters >= 1 || leaves <= 0) return {capsule};
+  std::vector<model::Capsule> pieces;
+  if (enters > 0) pieces.push_back({capsule.a, capsule.a + enters * along, capsule.radius});
+  if (leaves < 1) pieces.push_back({capsule.a + leaves * along, capsule.b, capsule.radius});
+  return pieces;
+}
+
+}  // namespace
+
+bool is_moved(const Robot& robot, std::size_t link) {
+  for (std::optional<std::size_t> i = link; i; i = robot.links[*i].parent)
+    if (robot.links[*i].joint.kind != Joint::Kind::fixed) return true;
+  return false;
+}
+
+std::vector<BodyPart> moving_body(const Robot& robot, double spared) {
+  std::vector<BodyPart> parts;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (!is_moved(robot, i)) continue;
+    for (const model::Capsule& capsule : robot.links[i].body) {
+      if (i != robot.control_point.link)
+        parts.push_back({i, capsule});
+      else
+        for (const model::Capsule& piece : outside_ball(capsule, robot.control_point.position, spared))
+          parts.push_back({i, piece});
+    }
+  }
+  return parts;
+}
+
+model::Capsule in_world(const BodyPart& part, const Posture& posture) {
+  const Eigen::Isometry3d& link = posture.link(part.link);
+  return {link * part.capsule.a, link * part.capsule.b, part.capsule.radius};
+}
+
+Eigen::VectorXd reach_of_joints(const BodyPart& part, const Posture& posture) {
+  const Robot& robot = posture.robot();
+  std::vector<bool> carries(robot.links.size());
+  for (std::optional<std::size_t> i = part.link; i; i = robot.links[*i].parent) carries[*i] = true;
+  const model::Capsule world = in_world(part, posture);
+  Eigen::VectorXd reach = Eigen::VectorXd::Zero(posture.configuration().size());
+  Eigen::Index joint = 0;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const Joint& kind = robot.links[i].joint;
+    if (kind.kind == Joint::Kind::fixed) continue;
+    const Eigen::Index column = joint++;
+    if (!carries[i]) continue;
+    const Vector3d axis = posture.link(i).linear() * kind.axis, at = posture.link(i).translation();
+    const auto from_axis = [&](const Vector3d& p) { return axis.cross(p - at).norm(); };
+    reach[column] = kind.kind == Joint::Kind::prismatic
+                        ? 1
+                        : std::max(from_axis(world.a), from_axis(world.b)) + world.radius;
+  }
+  return reach;
+}
+
+double largest_lever(const Posture& posture) {
+  const Eigen::Matrix3Xd jacobian = posture.jacobian();
+  const double largest = jacobian.cols() > 0 ? jacobian.colwise().norm().maxCoeff() : 0;
+  return largest > 0 ? largest : 1;
+}
+
+}  // namespace limpet::kinematics
