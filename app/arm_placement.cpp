@@ -24,18 +24,17 @@ constexpr int kPlaces = 40, kConfigurations = 200;  ///< tried: bases with start
 /// How far the control point can be from the base: the sum of what joins the joints on the way to it.
 double reach_of(const Robot& robot) {
   double reach = robot.control_point.position.norm();
-  for (std::optional<std::size_t> i = robot.control_point.link; i && robot.links[*i].parent; i = robot.links[*i].parent)
+  for (std::optional<std::size_t> i = robot.control_point.link; i && robot.links[*i].parent;
+       i = robot.links[*i].parent)
     reach += robot.links[*i].mounting.translation().norm();
   return reach;
 }
 
-Robot standing_at(Robot robot, const Vector3d& base, double bearing_rad) {
+Robot standing_at(const Robot& robot, const Vector3d& base, double bearing_rad) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = base;
   pose.linear() = Eigen::AngleAxisd(bearing_rad, Vector3d::UnitZ()).toRotationMatrix();
-  for (kinematics::Link& link : robot.links)
-    if (!link.parent) link.mounting = pose * link.mounting;
-  return robot;
+  return kinematics::placed(robot, pose);
 }
 
 Configuration random_configuration(const Robot& robot, Random& random) {
@@ -43,13 +42,15 @@ Configuration random_configuration(const Robot& robot, Random& random) {
   Eigen::Index k = 0;
   for (const kinematics::Link& link : robot.links)
     if (link.joint.kind != kinematics::Joint::Kind::fixed)
-      at[k++] = random.uniform(std::max(link.joint.low, -std::numbers::pi), std::min(link.joint.high, std::numbers::pi));
+      at[k++] = random.uniform(std::max(link.joint.low, -std::numbers::pi),
+                               std::min(link.joint.high, std::numbers::pi));
   return at;
 }
 
-/// A configuration near this one with its control point there, if the damped inverse of the Jacobian leads to one
-/// within the limits of the joints.
-std::optional<Configuration> reaching(const Robot& robot, Configuration at, const Vector3d& to, double precision) {
+/// A configuration near this one with its control point there, if the damped inverse of the Jacobian leads to
+/// one within the limits of the joints.
+std::optional<Configuration> reaching(const Robot& robot, Configuration at, const Vector3d& to,
+                                      double precision) {
   constexpr int kSteps = 100;
   for (int i = 0; i < kSteps; ++i) {
     const Posture posture(robot, at);
@@ -78,7 +79,8 @@ bool is_clear(const Robot& robot, const Configuration& at, const evaluation::Tru
     if (surface.distance_along(part.a, part.b) - part.radius < options.link_distance) return false;
     for (std::size_t j = i + 1; j < body.size(); ++j) {
       const auto &one = robot.links[body[i].link], &other = robot.links[body[j].link];
-      if (body[i].link == body[j].link || one.parent == body[j].link || other.parent == body[i].link) continue;
+      if (body[i].link == body[j].link || one.parent == body[j].link || other.parent == body[i].link)
+        continue;
       const double apart = following::distance_between(part, kinematics::in_world(body[j], posture));
       if (apart < options.own_distance && apart > -options.own_distance) return false;
     }
@@ -88,7 +90,8 @@ bool is_clear(const Robot& robot, const Configuration& at, const evaluation::Tru
 
 }  // namespace
 
-ArmPlacement place_beside(const Robot& robot, const simulation::Mesh& object, const PlacementOptions& options) {
+ArmPlacement place_beside(const Robot& robot, const simulation::Mesh& object,
+                          const PlacementOptions& options) {
   const simulation::Bounds bounds = simulation::bounds_of(object);
   const evaluation::TrueSurface surface(object);
   const double reach = reach_of(robot), half = (bounds.high - bounds.low).head<2>().norm() / 2;
@@ -99,16 +102,18 @@ ArmPlacement place_beside(const Robot& robot, const simulation::Mesh& object, co
     Vector3d base = bounds.centre() + distance * Vector3d(std::cos(bearing), std::sin(bearing), 0);
     base.z() = bounds.low.z();
     const Robot standing = standing_at(robot, base, random.uniform(-std::numbers::pi, std::numbers::pi));
-    const Vector3d start =
-        options.start ? *options.start
-                      : simulation::random_start(object, options.follow_distance,
-                                                 options.seed + static_cast<std::uint64_t>(place));
+    const Vector3d start = options.start
+                               ? *options.start
+                               : simulation::random_start(object, options.follow_distance,
+                                                          options.seed + static_cast<std::uint64_t>(place));
     for (int i = 0; i < kConfigurations; ++i) {
-      const auto at = reaching(standing, random_configuration(standing, random), start, 1e-3 * options.follow_distance);
+      const auto at =
+          reaching(standing, random_configuration(standing, random), start, 1e-3 * options.follow_distance);
       if (at && is_clear(standing, *at, surface, options)) return {standing, *at};
     }
   }
-  throw simulation::MeshError("no configuration is found in which the arm feels the object and is clear of it");
+  throw simulation::MeshError(
+      "no configuration is found in which the arm feels the object and is clear of it");
 }
 
 }  // namespace limpet::app

@@ -116,6 +116,7 @@ int run(const FollowArguments& args) {
   save_models(args, follow.model(), summary.run.ended == "interrupted", sets, outputs);
   judge.judge_model(follow.model(), sets);
   if (setup.world.truth) summary.truth = judge_by_truth(setup, summary.run, follow.model());
+  summary.links = judge_links(setup, summary.run);
   return save_result(args, std::move(summary), follow.model(), judge, outputs);
 }
 

@@ -6,6 +6,7 @@
 #include <limpet/app/arguments.hpp>
 #include <limpet/evaluation/label_overlaps.hpp>
 #include <limpet/following/follower.hpp>
+#include <limpet/following/links/link_motion.hpp>
 #include <limpet/model/rules.hpp>
 #include <limpet/survey/point_stream.hpp>
 #include <optional>
@@ -59,6 +60,7 @@ struct FollowArguments {
   std::string robot;                ///< point, arm, .urdf or .toml; empty: the scene's, or the point robot
   std::vector<std::string> package_paths;  ///< where what the robot's file names is sought
   std::optional<following::Strategy> strategy;
+  std::optional<following::Redundancy> avoidance;  ///< how an arm's links are kept off the surface
   std::optional<Eigen::Vector3d> start;
   std::string initial;  ///< a mesh of faces known beforehand
   std::optional<double> resolution, noise, encoder_noise, angle_deg;

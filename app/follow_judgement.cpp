@@ -37,10 +37,20 @@ evaluation::RunJudgement judge_by_truth(const FollowSetup& setup, const FollowOu
   options.follow_distance = setup.following.follow_distance;
   options.ceiling = setup.robot.ceilings.prismatic;
   options.tour = with_tour;
-  const kinematics::Configuration start = setup.start;
-  options.sensing = evaluation::sensing_of(kinematics::Posture(setup.robot, start));
+  // What an arm could reach is what a point robot could, at most: it is judged by that.
+  const kinematics::Robot point =
+      kinematics::point_robot({setup.following.sensing_range, options.resolution});
+  options.sensing =
+      evaluation::sensing_of(setup.links ? kinematics::Posture(point, kinematics::Configuration(setup.start))
+                                         : kinematics::Posture(setup.robot, setup.configuration));
   return evaluation::judge_run(
       *setup.world.truth, {outcome.path, model.record(), given_up(model.view(), outcome.marks)}, options);
+}
+
+std::optional<evaluation::LinkClearance> judge_links(const FollowSetup& setup, const FollowOutcome& outcome) {
+  if (!setup.links || !setup.world.truth) return std::nullopt;
+  return evaluation::link_clearance(setup.robot, outcome.way, evaluation::TrueSurface(*setup.world.truth),
+                                    setup.following.resolution / 5);
 }
 
 }  // namespace limpet::app

@@ -3,8 +3,10 @@
 
 #include <limpet/app/follow_run.hpp>
 #include <limpet/app/follow_setup.hpp>
+#include <limpet/evaluation/link_clearance.hpp>
 #include <limpet/evaluation/run_judgement.hpp>
 #include <limpet/model/model.hpp>
+#include <optional>
 
 namespace limpet::app {
 
@@ -13,5 +15,9 @@ namespace limpet::app {
 /// known (BuiltWorld::truth).
 evaluation::RunJudgement judge_by_truth(const FollowSetup&, const FollowOutcome&, const model::Model& model,
                                         bool with_tour = false);
+
+/// How near the links of a robot that has some truly came to the surface and to each other; none: it has
+/// none, or the truth is not known.
+std::optional<evaluation::LinkClearance> judge_links(const FollowSetup&, const FollowOutcome&);
 
 }  // namespace limpet::app

@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/app/follow_run.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <limpet/app/arguments.hpp>
 #include <limpet/app/interrupt.hpp>
@@ -33,7 +34,10 @@ FollowRun::FollowRun(const FollowSetup& setup)
       model_(begin(setup)),
       follower_(following::make_follower(setup.strategy, setup.following)),
       sensing_(*setup.world.world, setup.errors),
-      watch_(setup.following.resolution, setup.robot.sensors.size()) {}
+      watch_(setup.following.resolution, setup.robot.sensors.size()) {
+  if (setup.links)
+    links_ = std::make_unique<following::LinkMotion>(setup.robot, setup.configuration, *setup.links);
+}
 
 FollowOutcome FollowRun::go(const std::function<void(const FollowStep&)>& look) {
   FollowOutcome outcome;
@@ -72,13 +76,14 @@ simulation::Sensed FollowRun::sense(const kinematics::Configuration& at) {
 }
 
 std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(const FollowStep&)>& look) {
-  kinematics::Configuration at = setup_.start;
+  kinematics::Configuration at = setup_.configuration;
   const auto begin = Clock::now();
   for (std::int64_t set = 0; set < setup_.max_sets; ++set) {
     if (interrupted()) return "interrupted";
     if (microseconds_since(begin) > 1e6 * setup_.max_seconds) return "max-seconds";
     const simulation::Sensed sensed = sense(at);
     outcome.path.push_back(kinematics::Posture(setup_.robot, at).control_point());
+    if (links_) outcome.way.push_back(at);
     outcome.readings += static_cast<std::int64_t>(sensed.points.size());
 
     auto start = Clock::now();
@@ -95,9 +100,19 @@ std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(co
     look({sensed, seen, motion, *follower_, outcome.path.back()});
     if (motion.end != following::End::none) return std::string(following::name_of(motion.end));
     ++outcome.steps_in_mode[static_cast<std::size_t>(motion.mode)];
-    at += kinematics::actuator_changes(posture, motion.displacement);
+    at += all_joints(seen, motion, outcome);
   }
   return "max-sets";
+}
+
+kinematics::Configuration FollowRun::all_joints(const following::Observation& seen,
+                                                const following::Motion& motion, FollowOutcome& outcome) {
+  if (!links_) return kinematics::actuator_changes(seen.posture, motion.displacement);
+  const auto start = Clock::now();
+  kinematics::Configuration changes = links_->changes(seen, motion.displacement);
+  outcome.step_us.back() += microseconds_since(start);
+  outcome.link_clearance = std::min(outcome.link_clearance, links_->last_clearance());
+  return changes;
 }
 
 }  // namespace limpet::app

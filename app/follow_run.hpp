@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <limpet/app/follow_setup.hpp>
 #include <limpet/following/follower.hpp>
 #include <limpet/following/sensor_watch.hpp>
@@ -26,8 +27,11 @@ struct FollowStep {
 
 /// What a run has come to. Times are of each set, in microseconds.
 struct FollowOutcome {
-  std::string ended;                  ///< complete, max-sets, max-seconds, interrupted or stopped
-  std::vector<Eigen::Vector3d> path;  ///< where the control point truly was at each set
+  std::string ended;                           ///< complete, max-sets, max-seconds, interrupted or stopped
+  std::vector<Eigen::Vector3d> path;           ///< where the control point truly was at each set
+  std::vector<kinematics::Configuration> way;  ///< and the robot; of one with links, and not in a replay
+  double link_clearance =
+      std::numeric_limits<double>::infinity();  ///< smallest, to the model and to readings
   std::int64_t readings = 0;
   std::array<std::int64_t, following::kModeCount> steps_in_mode{};
   following::Marks marks;                  ///< by the model before it was finished
@@ -50,12 +54,16 @@ class FollowRun {
 
  private:
   simulation::Sensed sense(const kinematics::Configuration& at);
+  /// What the motion is for all joints.
+  kinematics::Configuration all_joints(const following::Observation&, const following::Motion&,
+                                       FollowOutcome&);
   void finish(FollowOutcome&);
   std::string go_on(FollowOutcome&, const std::function<void(const FollowStep&)>& look);
 
   const FollowSetup& setup_;
   model::Model model_;
   std::unique_ptr<following::Follower> follower_;
+  std::unique_ptr<following::LinkMotion> links_;  ///< of a robot with links
   simulation::Sensing sensing_;
   following::SensorWatch watch_;
 };

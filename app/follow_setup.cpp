@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limpet/app/arguments.hpp>
+#include <limpet/app/arm_placement.hpp>
 #include <limpet/app/robot_file.hpp>
 #include <limpet/io/text.hpp>
 #include <limpet/kinematics/arm.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace limpet::app {
 
@@ -17,6 +19,7 @@ SceneFile scene_of(const FollowArguments& args) {
   SceneFile scene = read_scene(args.scene);
   if (!args.robot.empty()) scene.robot.kind = args.robot;
   scene.robot.package_paths = args.package_paths;
+  if (args.avoidance) scene.robot.avoidance = args.avoidance;
   if (args.resolution) scene.parameters.resolution = args.resolution;
   if (args.angle_deg) scene.parameters.angle_rad = *args.angle_deg * kDegree;
   if (args.redundancy) scene.parameters.redundancy = args.redundancy;
@@ -69,22 +72,16 @@ following::Parameters following_of(const SceneFile& scene, double resolution) {
   return p;
 }
 
-/// A robot other than the point robot. The thesis's arm is as large against λ as there (§4.3: λ is 0.05).
-kinematics::Robot arm_of(const SceneRobot& robot, const following::Parameters& p) {
-  if (*robot.kind == "arm") return kinematics::arm(kinematics::scaled({}, p.resolution / 0.05));
-  return read_robot(*robot.kind, robot.package_paths).robot;
+/// A robot other than the point robot, from a file or built in, and where it begins if that is said. The
+/// thesis's arm is as large against λ as there (§4.3: λ is 0.05).
+RobotFile arm_of(const SceneRobot& robot, double resolution) {
+  if (*robot.kind != "arm") return read_robot(*robot.kind, robot.package_paths);
+  constexpr double kThesis = 0.05;
+  const kinematics::ArmOptions options = kinematics::scaled({}, resolution / kThesis);
+  return {kinematics::arm(options), options.sensing_range, std::nullopt};
 }
 
-/// Throws UsageError when a robot is not the three sliders that following knows so far.
-void require_followed(const kinematics::Robot& robot) {
-  using Kind = kinematics::Joint::Kind;
-  const auto turns = [](const kinematics::Link& link) { return link.joint.kind == Kind::revolute; };
-  if (robot.joint_count() != 3 || std::any_of(robot.links.begin(), robot.links.end(), turns))
-    throw UsageError("--robot: following with this robot is not built yet; there is point");
-}
-
-kinematics::Robot robot_of(const SceneFile& scene, const following::Parameters& p, std::uint64_t seed) {
-  if (scene.robot.kind.value_or("point") != "point") return arm_of(scene.robot, p);
+kinematics::Robot point_robot_of(const SceneFile& scene, const following::Parameters& p, std::uint64_t seed) {
   const double ceiling = scene.robot.ceiling.value_or(p.resolution);
   if (!(ceiling > 0 && ceiling < p.sensing_range))
     throw UsageError("the ceiling γ of " + io::short_text(ceiling) +
@@ -112,6 +109,39 @@ model::Parameters model_of(const SceneFile& scene, const simulation::BuiltWorld&
   return p;
 }
 
+void place_point_robot(const SceneFile& scene, FollowSetup& setup) {
+  setup.robot = point_robot_of(scene, setup.following, setup.seed);
+  setup.start = scene.start
+                    ? *scene.start
+                    : simulation::random_start(setup.world, setup.following.follow_distance, setup.seed);
+  setup.configuration = setup.start;
+}
+
+/// An arm with another sensing range than what goes with λ is followed with by its own.
+void place_arm(const SceneFile& scene, FollowSetup& setup) {
+  if (!setup.world.truth)
+    throw UsageError("an arm is placed beside a mesh: a range image from a file has none");
+  const RobotFile arm = arm_of(scene.robot, setup.following.resolution);
+  if (arm.sensing_range <= setup.following.follow_distance)
+    throw UsageError("the robot's sensors reach " + io::short_text(arm.sensing_range) +
+                     ", no farther than the follow distance of " +
+                     io::short_text(setup.following.follow_distance) + ": give a smaller --resolution");
+  setup.following.sensing_range = setup.following.stray_limit = arm.sensing_range;
+  setup.links = following::usual_link_parameters(
+      setup.following, scene.robot.avoidance.value_or(following::Redundancy::programme));
+  PlacementOptions options;
+  options.follow_distance = setup.following.follow_distance;
+  options.link_distance = 1.5 * setup.links->least_distance;
+  options.own_distance = 2 * setup.links->own_distance;
+  options.spared = setup.links->spared;
+  options.start = scene.start;
+  options.seed = setup.seed;
+  ArmPlacement placement = place_beside(arm.robot, *setup.world.truth, options);
+  setup.robot = std::move(placement.robot);
+  setup.configuration = std::move(placement.start);
+  setup.start = kinematics::Posture(setup.robot, setup.configuration).control_point();
+}
+
 }  // namespace
 
 double chosen_resolution(const simulation::Mesh& mesh) {
@@ -126,16 +156,15 @@ FollowSetup make_setup(const SceneFile& scene) {
   setup.world = simulation::build_world(scene.world, setup.seed);
   const double resolution = resolution_of(scene, setup.world);
   setup.following = following_of(scene, resolution);
-  setup.robot = robot_of(scene, setup.following, setup.seed);
-  require_followed(setup.robot);
   setup.model = model_of(scene, setup.world, resolution);
-  require_sensors(setup.robot, scene.errors);
   setup.errors = scene.errors;
   setup.strategy = scene.strategy.value_or(following::Strategy::frontier);
   setup.max_sets = scene.max_sets.value_or(1'000'000);
-  setup.start = scene.start
-                    ? *scene.start
-                    : simulation::random_start(setup.world, setup.following.follow_distance, setup.seed);
+  if (scene.robot.kind.value_or("point") == "point")
+    place_point_robot(scene, setup);
+  else
+    place_arm(scene, setup);
+  require_sensors(setup.robot, scene.errors);
   return setup;
 }
 

@@ -7,10 +7,13 @@
 #include <limpet/app/commands.hpp>
 #include <limpet/app/scene_file.hpp>
 #include <limpet/following/follower.hpp>
+#include <limpet/following/links/link_motion.hpp>
+#include <limpet/kinematics/posture.hpp>
 #include <limpet/kinematics/robot.hpp>
 #include <limpet/model/parameters.hpp>
 #include <limpet/simulation/sensing.hpp>
 #include <limpet/simulation/world_description.hpp>
+#include <optional>
 
 namespace limpet::app {
 
@@ -19,7 +22,10 @@ struct FollowSetup {
   simulation::BuiltWorld world;
   simulation::SensingErrors errors;
   kinematics::Robot robot;
-  Eigen::Vector3d start;  ///< of the control point
+  Eigen::Vector3d start;                    ///< of the control point
+  kinematics::Configuration configuration;  ///< of the robot, there
+  /// How its links are kept off the surface; none: it has no links that could come near it.
+  std::optional<following::LinkParameters> links;
   model::Parameters model;
   following::Parameters following;
   following::Strategy strategy = following::Strategy::frontier;

@@ -43,9 +43,11 @@ std::string to_json(const FollowSummary& s) {
     json["coverage"] = s.truth->coverage;
     json["coverage_total"] = s.truth->coverage_total;
     json["reachable"] = s.truth->reachable_share;
-    json["collisions"] = s.truth->collisions;
+    json["collisions"] = s.truth->collisions + (s.links ? s.links->collisions + s.links->self_collisions : 0);
     json["clearance_control_point"] = s.truth->clearance_control_point;
-    json["clearance_links"] = s.truth->clearance_control_point;  // the point robot has no other link
+    json["clearance_links"] = s.links ? s.links->to_surface : s.truth->clearance_control_point;
+    if (s.links) json["clearance_of_itself"] = s.links->to_itself;
+    if (s.links) json["clearance_links_model"] = run.link_clearance;
     json["false_unreachable"] = s.truth->false_unreachable;
     json["isomorphic"] = s.truth->isomorphic;
     if (s.truth->tour) {
@@ -87,6 +89,14 @@ std::string to_text(const FollowSummary& s) {
     std::snprintf(line, sizeof line, "%s collisions; the control point came as near as %.3g to the surface\n",
                   io::grouped(static_cast<std::int64_t>(s.truth->collisions)).c_str(),
                   s.truth->clearance_control_point);
+    text += line;
+  }
+  if (s.links) {
+    std::snprintf(line, sizeof line,
+                  "the links came as near as %.3g to the surface (%s touches) and %.3g to each other (%s)\n",
+                  s.links->to_surface, io::grouped(static_cast<std::int64_t>(s.links->collisions)).c_str(),
+                  s.links->to_itself,
+                  io::grouped(static_cast<std::int64_t>(s.links->self_collisions)).c_str());
     text += line;
   }
   const std::size_t marked = s.run.marks.unreachable_segments.size() + s.run.marks.unreachable_edges.size();

@@ -3,6 +3,7 @@
 
 #include <limpet/app/follow_run.hpp>
 #include <limpet/app/summary.hpp>
+#include <limpet/evaluation/link_clearance.hpp>
 #include <limpet/evaluation/run_judgement.hpp>
 #include <optional>
 #include <string>
@@ -13,7 +14,8 @@ namespace limpet::app {
 struct FollowSummary {
   Summary model;
   FollowOutcome run;
-  std::optional<evaluation::RunJudgement> truth;  ///< where the true surface is known
+  std::optional<evaluation::RunJudgement> truth;   ///< where the true surface is known
+  std::optional<evaluation::LinkClearance> links;  ///< and the robot has some
   double seconds = 0;
 };
 

@@ -140,9 +140,9 @@ void refuse_with_replay(CLI::App& app, const FollowArguments& args) {
       if (args.scene.empty()) throw UsageError("give a SCENE, or --replay RUN; see limpet follow --help");
       return;
     }
-    for (const std::string name :
-         {"SCENE", "--record", "--robot", "--package-path", "--strategy", "--start", "--initial",
-          "--resolution", "--angle", "--noise", "--encoder-noise", "--redundancy", "--max-sets", "--seed"})
+    for (const std::string name : {"SCENE", "--record", "--robot", "--package-path", "--avoidance",
+                                   "--strategy", "--start", "--initial", "--resolution", "--angle", "--noise",
+                                   "--encoder-noise", "--redundancy", "--max-sets", "--seed"})
       if (app.count(name) > 0)
         throw UsageError("--replay RUN takes no " + name + ": the recorded run is modelled as it was");
   });
@@ -174,6 +174,14 @@ void add_follow(CLI::App& root, Command& chosen) {
     args->strategy =
         text == "thesis" ? limpet::following::Strategy::thesis : limpet::following::Strategy::frontier;
   });
+  text_option(app, "--avoidance", "NAME",
+              "How an arm's links are kept off the surface: programme (default) or thesis",
+              [args](const std::string& text) {
+                if (text != "programme" && text != "thesis")
+                  throw UsageError("--avoidance '" + text + "': give programme or thesis");
+                args->avoidance = text == "thesis" ? limpet::following::Redundancy::thesis
+                                                   : limpet::following::Redundancy::programme;
+              });
   text_option(app, "--start", "X,Y,Z",
               "Where the control point begins (default: at random, near the surface)",
               [args](const std::string& text) { args->start = parse_vector("--start", text); });

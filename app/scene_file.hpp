@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limpet/app/arguments.hpp>
 #include <limpet/following/follower.hpp>
+#include <limpet/following/links/link_motion.hpp>
 #include <limpet/simulation/placement.hpp>
 #include <limpet/simulation/sensing.hpp>
 #include <limpet/simulation/world_description.hpp>
@@ -18,10 +19,11 @@ namespace limpet::app {
 struct SceneRobot {
   /// In a scene "point"; on the command line also "arm", a URDF or a robot file.
   std::optional<std::string> kind;
-  std::vector<std::string> package_paths;  ///< where what the robot's file names is sought
-  std::optional<double> sensing_range;     ///< scan's unit
-  std::optional<double> ceiling;           ///< γ of prismatic joints, scan's unit
-  std::optional<double> ceiling_rad;       ///< γ of revolute joints
+  std::optional<following::Redundancy> avoidance;  ///< how an arm's links are kept off the surface
+  std::vector<std::string> package_paths;          ///< where what the robot's file names is sought
+  std::optional<double> sensing_range;             ///< scan's unit
+  std::optional<double> ceiling;                   ///< γ of prismatic joints, scan's unit
+  std::optional<double> ceiling_rad;               ///< γ of revolute joints
   simulation::Turn heading;
 };
 

@@ -27,7 +27,8 @@ bool is_moved(const Robot& robot, std::size_t link) {
 }
 
 model::Capsule in_world(const Part& part, const Posture& posture) {
-  return {posture.link(part.link) * part.capsule.a, posture.link(part.link) * part.capsule.b, part.capsule.radius};
+  return {posture.link(part.link) * part.capsule.a, posture.link(part.link) * part.capsule.b,
+          part.capsule.radius};
 }
 
 /// Distance between two segments: at ends, or between interior points where these are nearest.
@@ -44,14 +45,16 @@ double distance_of_axes(const model::Capsule& p, const model::Capsule& q) {
   if (n2 > 0) {
     const Vector3d between = q.a - p.a;
     const double s = between.cross(v).dot(normal) / n2, t = between.cross(u).dot(normal) / n2;
-    if (s > 0 && s < 1 && t > 0 && t < 1) least = std::min(least, std::abs(between.dot(normal)) / std::sqrt(n2));
+    if (s > 0 && s < 1 && t > 0 && t < 1)
+      least = std::min(least, std::abs(between.dot(normal)) / std::sqrt(n2));
   }
   return least;
 }
 
 class Measuring {
  public:
-  Measuring(const Robot& robot, const TrueSurface& truth, const Configuration& first) : robot_(robot), truth_(truth) {
+  Measuring(const Robot& robot, const TrueSurface& truth, const Configuration& first)
+      : robot_(robot), truth_(truth) {
     for (std::size_t i = 0; i < robot.links.size(); ++i)
       if (is_moved(robot, i))
         for (const model::Capsule& capsule : robot.links[i].body) parts_.push_back({i, capsule});
@@ -71,7 +74,8 @@ class Measuring {
       if (distance < surface_) surface_ = distance, link_ = parts_[i].link;
     }
     for (const auto& [i, j] : pairs_)
-      itself_ = std::min(itself_, distance_of_axes(capsules[i], capsules[j]) - capsules[i].radius - capsules[j].radius);
+      itself_ = std::min(
+          itself_, distance_of_axes(capsules[i], capsules[j]) - capsules[i].radius - capsules[j].radius);
   }
   void begin() { surface_ = itself_ = std::numeric_limits<double>::infinity(); }
   double surface() const { return surface_; }
@@ -114,7 +118,8 @@ LinkClearance link_clearance(const Robot& robot, std::span<const Configuration> 
   for (std::size_t i = 0; i < way.size(); ++i) {
     const Configuration& from = way[i];
     const Configuration& to = way[std::min(i + 1, way.size() - 1)];
-    // A turn takes a point by more than its ends are apart: by less than twice, for turns up to half a circle.
+    // A turn takes a point by more than its ends are apart: by less than twice, for turns up to half a
+    // circle.
     const int pieces = 1 + static_cast<int>(std::ceil(2 * measuring.farthest(from, to) / fineness));
     measuring.begin();
     for (int k = 0; k <= pieces; ++k) measuring.look(from + (to - from) * (static_cast<double>(k) / pieces));

@@ -40,12 +40,12 @@ model::SensorPoint Posture::sensor_point(std::size_t i, double distance) const {
   return {s.position + distance * s.axis, s.axis, distance};
 }
 
-Eigen::Matrix3Xd Posture::jacobian() const {
+Eigen::Matrix3Xd Posture::jacobian() const { return jacobian(robot_->control_point.link, control_point()); }
+
+Eigen::Matrix3Xd Posture::jacobian(std::size_t of_link, const Eigen::Vector3d& x) const {
   Eigen::Matrix3Xd jacobian = Eigen::Matrix3Xd::Zero(3, configuration_.size());
-  std::vector<bool> carries(robot_->links.size());  // does the link carry the control point's link?
-  for (std::optional<std::size_t> i = robot_->control_point.link; i; i = robot_->links[*i].parent)
-    carries[*i] = true;
-  const Eigen::Vector3d x = control_point();
+  std::vector<bool> carries(robot_->links.size());  // does the link carry the one asked about?
+  for (std::optional<std::size_t> i = of_link; i; i = robot_->links[*i].parent) carries[*i] = true;
   Eigen::Index joint = 0;
   for (std::size_t i = 0; i < robot_->links.size(); ++i) {
     const Link& link = robot_->links[i];

@@ -40,6 +40,9 @@ class Posture {
 
   /// J of thesis (2): how the control point moves with each joint, 3 × joint_count().
   Eigen::Matrix3Xd jacobian() const;
+  /// The same for any point fixed to a link, given where it is in the world. Its columns are the r_ik of
+  /// thesis (5); those of joints that do not carry the link are 0.
+  Eigen::Matrix3Xd jacobian(std::size_t link, const Eigen::Vector3d& point_world) const;
 
  private:
   const Robot* robot_;

@@ -100,6 +100,8 @@ struct LinkMotion::Programme {
   }
   /// What moves along `direction · way` may come nearer by a part of the room it has, which may be negative.
   void add_row(const Eigen::RowVectorXd& towards, double room) {
+    constexpr double kNothing = 1e-9;  // of a unit of joint motion: no joint has a say
+    if (towards.norm() < kNothing) return;
     problem.inequality_matrix.row(rows_) = towards;
     problem.inequality_vector[rows_++] = -kDamping * room;
   }
