@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kSamePlace = 1e-9;    // between origins: nearer is rounding
 constexpr double kMostRings = 10'000;  // on one capsule: more is a slip of the pen
 
 void require_pattern(bool good, const std::string& what) {
@@ -48,8 +49,8 @@ bool is_inside(const Vector3d& p, const model::Capsule& capsule) {
 std::optional<Vector3d> way_back(const Robot& robot) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // of a link, in the control point's link
   for (std::size_t i = robot.control_point.link;;) {
-    const Vector3d back = pose.translation() - robot.control_point.position;
-    if (back.norm() > 0) return back;
+    Vector3d back = pose.translation() - robot.control_point.position;
+    if (back.norm() > kSamePlace) return back;
     const Link& link = robot.links[i];
     if (link.joint.kind != Joint::Kind::fixed || !link.parent) return std::nullopt;
     pose = pose * link.mounting.inverse();

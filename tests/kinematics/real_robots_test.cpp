@@ -30,7 +30,7 @@ struct RealRobot {
   std::vector<std::string> without_mesh{};  ///< links whose meshes are not in the data
 };
 
-void PrintTo(const RealRobot& robot, std::ostream* out) { *out << robot.file; }
+std::ostream& operator<<(std::ostream& out, const RealRobot& robot) { return out << robot.file; }
 
 class RealRobotTest : public ::testing::TestWithParam<RealRobot> {
  protected:

@@ -57,8 +57,10 @@ TEST(Rings, GoFromOneEndToTheOther) {
   r.rings = 5, r.count = 4, r.radius = 0.5, r.range = 0.2;
   const std::vector<RangeSensor> sensors = rings(r);
   ASSERT_EQ(sensors.size(), 20u);
-  for (std::size_t i = 0; i < 20; ++i)
-    EXPECT_NEAR(sensors[i].position.z(), 1 + 0.5 * static_cast<double>(i / 4), 1e-12);
+  for (std::size_t i = 0; i < 20; ++i) {
+    const std::size_t number = i / 4;
+    EXPECT_NEAR(sensors[i].position.z(), 1 + 0.5 * static_cast<double>(number), 1e-12);
+  }
   EXPECT_NEAR(sensors[0].axis.dot(sensors[4].axis), std::cos(testing::kRightAngle / 2), 1e-12);
   EXPECT_NEAR(sensors[0].axis.dot(sensors[8].axis), 1, 1e-12);
   r.staggered = false;
