@@ -107,11 +107,20 @@ void read_initial(const TomlSection& file, WorldDescription& out) {
 }
 
 void read_robot(const TomlSection& file, SceneRobot& out) {
-  const auto robot =
-      file.section("robot", {"kind", "sensing_range", "ceiling", "ceiling_deg", "heading", "heading_deg"});
+  const auto robot = file.section("robot", {"kind", "file", "avoidance", "sensing_range", "ceiling",
+                                            "ceiling_deg", "heading", "heading_deg"});
   if (!robot) return;
+  robot->require_one({"kind", "file"}, false);
   out.kind = robot->text("kind");
-  if (out.kind && *out.kind != "point") robot->fail("kind", robot->called("kind") + " must be \"point\"");
+  if (out.kind && *out.kind != "point" && *out.kind != "arm")
+    robot->fail("kind",
+                robot->called("kind") + " must be \"point\" or \"arm\"; of a robot from a file give 'file'");
+  if (const auto path = robot->file("file")) out.kind = path;
+  if (const auto avoidance = robot->text("avoidance")) {
+    if (*avoidance != "programme" && *avoidance != "thesis")
+      robot->fail("avoidance", robot->called("avoidance") + " must be \"programme\" or \"thesis\"");
+    out.avoidance = *avoidance == "thesis" ? following::Redundancy::thesis : following::Redundancy::programme;
+  }
   out.sensing_range = robot->number("sensing_range", Numbers::positive);
   out.ceiling = robot->number("ceiling", Numbers::positive);
   out.ceiling_rad = in_radians(robot->number("ceiling_deg", Numbers::positive));

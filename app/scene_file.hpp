@@ -17,7 +17,7 @@ namespace limpet::app {
 
 /// The robot of a scene.
 struct SceneRobot {
-  /// In a scene "point"; on the command line also "arm", a URDF or a robot file.
+  /// "point", "arm", or the path of a URDF or a robot file.
   std::optional<std::string> kind;
   std::optional<following::Redundancy> avoidance;  ///< how an arm's links are kept off the surface
   std::vector<std::string> package_paths;          ///< where what the robot's file names is sought

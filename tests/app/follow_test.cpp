@@ -17,6 +17,28 @@ class Follow : public testing::ProgramTest {
   }
 };
 
+/// The thesis's arm, its links kept off: of a cube that it can feel all round nothing is missed or touched.
+TEST_F(Follow, AnArmModelsACubeAndTouchesNothing) {
+  const auto result = follow({"cube", "--robot", "arm", "--record", path("arm.run"), "--json", "-"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["ended"], "complete");
+  EXPECT_EQ(json["closed"], true);
+  EXPECT_EQ(json["polygons"], 6);
+  EXPECT_EQ(json["collisions"], 0);
+  EXPECT_GT(json["clearance_links"], 0);
+  EXPECT_GT(json["clearance_of_itself"], 0);
+  EXPECT_GE(json["clearance_links_model"].get<double>(), 0);
+  const std::string model = read(path("m.limpet"));
+  EXPECT_EQ(run({"follow", "--replay", path("arm.run"), "-q", "-o", path("again.limpet")}).code, 0);
+  EXPECT_EQ(read(path("again.limpet")), model);
+}
+
+TEST_F(Follow, AnArmRefusesWhatMakesNoSense) {
+  expect_refused(follow({"cube", "--robot", "leg"}), "leg");
+  expect_refused(follow({"cube", "--robot", "arm", "--avoidance", "none"}), "--avoidance 'none'");
+}
+
 TEST_F(Follow, ACubeIsClosed) {
   const auto result = follow({"cube", "-o", path("cube.off"), "--json", "-"});
   ASSERT_EQ(result.code, 0) << result.err;

@@ -189,7 +189,11 @@ TEST_F(SceneFileTest, ValuesOfTheWrongKindAreErrors) {
             "scene.toml:4: 'stuck' in [errors] must be a list of tables, as in stuck = [{ sensor = … }]");
   EXPECT_EQ(in("errors", "stuck = [{ sensor = 3 }]"),
             "scene.toml:4: [errors.stuck] needs one of these keys: distance");
-  EXPECT_EQ(in("robot", "kind = \"arm\""), "scene.toml:4: 'kind' in [robot] must be \"point\"");
+  EXPECT_EQ(
+      in("robot", "kind = \"leg\""),
+      "scene.toml:4: 'kind' in [robot] must be \"point\" or \"arm\"; of a robot from a file give 'file'");
+  EXPECT_EQ(in("robot", "avoidance = \"none\""),
+            "scene.toml:4: 'avoidance' in [robot] must be \"programme\" or \"thesis\"");
   EXPECT_EQ(in("robot", "heading = \"north\""),
             "scene.toml:4: 'heading' in [robot] must be \"random\" or [w, x, y, z]");
   EXPECT_EQ(in("robot", "heading = [0, 0, 0, 0]"),

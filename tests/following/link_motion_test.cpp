@@ -1,0 +1,151 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+//
+// Arms beside walls, asked for motions at random: what the programme lets them do is clear wherever one
+// looks.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limpet/following/links/link_motion.hpp>
+#include <limpet/kinematics/arm.hpp>
+#include <limpet/model/model.hpp>
+#include <string>
+
+#include "../kinematics/robots.hpp"
+
+namespace limpet::following {
+namespace {
+
+using Eigen::Vector3d;
+using kinematics::Configuration;
+using kinematics::Posture;
+namespace robots = kinematics::testing;
+
+/// A square of side 2 around a place, facing somewhere.
+void add_square(model::Model& model, survey::Random& random, const Vector3d& about) {
+  Eigen::Isometry3d pose = robots::random_pose(random);
+  pose.translation() = about;
+  std::vector<Vector3d> cycle;
+  for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+    cycle.push_back(pose * Vector3d(x, y, 0));
+  model.add_initial(std::vector<model::InitialFace>{{{cycle}}});
+}
+
+/// The distance of each part from the model, as far as `reach`, along some places of a way.
+std::vector<double> least_distances(const kinematics::Robot& robot,
+                                    const std::vector<kinematics::BodyPart>& body, const model::View& view,
+                                    const Configuration& from, const Configuration& changes, int places) {
+  std::vector<double> least(body.size(), 1);
+  for (int i = 0; i <= places; ++i) {
+    const Posture posture(robot, from + changes * (static_cast<double>(i) / places));
+    for (std::size_t k = 0; k < body.size(); ++k)
+      if (const auto near = view.nearest(kinematics::in_world(body[k], posture), 1))
+        least[k] = std::min(least[k], near->distance);
+  }
+  return least;
+}
+
+Configuration bent(survey::Random& random) {
+  Configuration at(6);
+  for (double& joint : at) joint = random.uniform(-1.5, 1.5);
+  return at;
+}
+
+TEST(LinkMotion, TheProgrammeKeepsLinksOffWhateverIsAsked) {
+  const std::uint64_t seed = 20261130;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  survey::Random random(seed);
+  const kinematics::Robot robot = kinematics::arm();
+  const Parameters parameters = usual_parameters(0.05);
+  const LinkParameters links = usual_link_parameters(parameters, Redundancy::programme);
+  const auto body = kinematics::moving_body(robot, links.spared);
+  int moved = 0, steps = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    Configuration at = bent(random);
+    model::Model model(model::Parameters{});
+    for (int i = 0; i < 3; ++i)
+      add_square(model, random, Posture(robot, at).control_point() + robots::random_vector(random, 1));
+    LinkMotion motion(robot, at, links);
+    const Vector3d way = robots::random_axis(random);
+    for (int step = 0; step < 40; ++step, ++steps) {
+      const Posture posture(robot, at);
+      const Observation seen{model, {}, posture, {}};
+      const Configuration changes = motion.changes(seen, 0.05 * way);
+      EXPECT_LE(changes.norm(), robot.ceilings.revolute_rad * (1 + 1e-12));
+      const auto start = least_distances(robot, body, model.view(), at, 0 * changes, 1);
+      const auto least = least_distances(robot, body, model.view(), at, changes, 20);
+      const auto end = least_distances(robot, body, model.view(), at + changes, 0 * changes, 1);
+      for (std::size_t k = 0; k < body.size(); ++k) {
+        EXPECT_GE(least[k], std::min(links.least_distance, start[k]) - 0.011 * links.least_distance)
+            << "trial " << trial << ", step " << step;
+        if (start[k] < links.least_distance && changes.norm() > 0) {
+          EXPECT_GT(end[k], start[k]);
+        }
+      }
+      moved += (posture.jacobian() * changes).dot(way) > 0.005;
+      at += changes;
+    }
+  }
+  EXPECT_GT(moved, steps / 3) << "it goes on as long as it can";
+}
+
+TEST(LinkMotion, FarFromEverythingBothMoveTheControlPointAsAsked) {
+  survey::Random random(4);
+  const kinematics::Robot robot = kinematics::arm();
+  const model::Model nothing{model::Parameters{}};
+  for (const Redundancy redundancy : {Redundancy::programme, Redundancy::thesis}) {
+    for (int trial = 0; trial < 50; ++trial) {
+      const Configuration at = bent(random);
+      const Posture posture(robot, at);
+      LinkMotion motion(robot, at, usual_link_parameters(usual_parameters(0.05), redundancy));
+      const Vector3d wanted = 0.02 * robots::random_axis(random);
+      const Configuration changes = motion.changes({nothing, {}, posture, {}}, wanted);
+      const Vector3d made = posture.jacobian() * changes;
+      EXPECT_GT(made.dot(wanted), 0.5 * made.norm() * wanted.norm());
+      if (changes.norm() < 0.9 * robot.ceilings.revolute_rad) {
+        EXPECT_LT((made - wanted).norm(), 0.1 * wanted.norm());
+      }
+    }
+  }
+}
+
+/// A reading that the model does not have yet is an obstacle like the model.
+TEST(LinkMotion, ReadingsAreObstaclesAtOnce) {
+  kinematics::Robot robot;
+  robot.links.resize(1);
+  robot.links[0].joint = {kinematics::Joint::Kind::prismatic, Vector3d::UnitX()};
+  robot.links[0].body = {{Vector3d(0, 0, 0.5), Vector3d(0, 0, 1), 0.01}};
+  robot.ceilings.prismatic = 0.1;
+  const model::Model nothing{model::Parameters{}};
+  LinkMotion motion(robot, Configuration::Zero(1),
+                    usual_link_parameters(usual_parameters(0.05), Redundancy::programme));
+  Configuration at = Configuration::Zero(1);
+  const std::vector<model::SensorPoint> readings = {{Vector3d(0.2, 0, 0.7), Vector3d::UnitX()}};
+  for (int step = 0; step < 30; ++step) {
+    const Posture posture(robot, at);
+    at += motion.changes({nothing, {}, posture, step == 0 ? readings : std::vector<model::SensorPoint>{}},
+                         Vector3d(0.05, 0, 0));
+  }
+  EXPECT_LE(at[0], 0.2 - 0.01 - 0.06 + 1e-3);
+  EXPECT_GT(at[0], 0.1) << "it comes as near as it may";
+}
+
+TEST(LinkMotion, TheSameCallsGiveTheSameChanges) {
+  survey::Random random(8);
+  const kinematics::Robot robot = kinematics::arm();
+  model::Model model(model::Parameters{});
+  const Configuration at = bent(random);
+  add_square(model, random, Posture(robot, at).control_point() + Vector3d(0.1, 0.1, 0.1));
+  const auto run = [&] {
+    LinkMotion motion(robot, at, usual_link_parameters(usual_parameters(0.05), Redundancy::programme));
+    Configuration now = at;
+    for (int i = 0; i < 20; ++i) {
+      const Posture posture(robot, now);
+      now += motion.changes({model, {}, posture, {}}, Vector3d(0.01, 0.02, -0.03));
+    }
+    return now;
+  };
+  EXPECT_EQ(run(), run());
+}
+
+}  // namespace
+}  // namespace limpet::following
