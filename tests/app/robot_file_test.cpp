@@ -282,8 +282,6 @@ TEST_F(RobotFileTest, TheCommandRefusesBadFilesInOneLine) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
   };
-  for (const std::string& robot : {std::string("arm"), kRobots + "arm.toml", kRobots + "arm.urdf"})
-    expect_refused(follow({robot}), "not built yet");
   expect_refused(follow({"snake"}), "snake: give point, arm");
   expect_refused(follow({path("none.urdf")}), "none.urdf: cannot be opened");
   expect_refused(follow({path("none.toml")}), "none.toml: cannot be opened");
