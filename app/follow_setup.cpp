@@ -138,6 +138,7 @@ void place_arm(const SceneFile& scene, FollowSetup& setup) {
   options.seed = setup.seed;
   ArmPlacement placement = place_beside(arm.robot, *setup.world.truth, options);
   setup.robot = std::move(placement.robot);
+  if (scene.robot.ceiling_rad) setup.robot.ceilings.revolute_rad = *scene.robot.ceiling_rad;
   setup.configuration = std::move(placement.start);
   setup.start = kinematics::Posture(setup.robot, setup.configuration).control_point();
 }
