@@ -115,7 +115,8 @@ LinkClearance link_clearance(const Robot& robot, std::span<const Configuration> 
   LinkClearance result;
   if (way.empty()) return result;
   Measuring measuring(robot, truth, way.front());
-  for (std::size_t i = 0; i < way.size(); ++i) {
+  const std::size_t steps = std::max<std::size_t>(1, way.size() - 1);  // of one configuration, it alone
+  for (std::size_t i = 0; i < steps; ++i) {
     const Configuration& from = way[i];
     const Configuration& to = way[std::min(i + 1, way.size() - 1)];
     // A turn takes a point by more than its ends are apart: by less than twice, for turns up to half a
