@@ -21,9 +21,9 @@ struct Part {
   model::Capsule capsule;  ///< in the link's frame
 };
 
-bool is_moved(const Robot& robot, std::size_t link) {
+bool is_moved_by_a_joint(const Robot& robot, std::size_t link) {
   if (robot.links[link].joint.kind != kinematics::Joint::Kind::fixed) return true;
-  return robot.links[link].parent && is_moved(robot, *robot.links[link].parent);
+  return robot.links[link].parent && is_moved_by_a_joint(robot, *robot.links[link].parent);
 }
 
 model::Capsule in_world(const Part& part, const Posture& posture) {
@@ -56,7 +56,7 @@ class Measuring {
   Measuring(const Robot& robot, const TrueSurface& truth, const Configuration& first)
       : robot_(robot), truth_(truth) {
     for (std::size_t i = 0; i < robot.links.size(); ++i)
-      if (is_moved(robot, i))
+      if (is_moved_by_a_joint(robot, i))
         for (const model::Capsule& capsule : robot.links[i].body) parts_.push_back({i, capsule});
     const Posture posture(robot, first);
     for (std::size_t i = 0; i < parts_.size(); ++i)
