@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limpet/evaluation/true_surface.hpp>
-#include <limpet/following/links/step_check.hpp>
 #include <limpet/kinematics/body.hpp>
 #include <limpet/simulation/random_start.hpp>
 #include <limpet/survey/random.hpp>
@@ -74,17 +73,12 @@ bool is_clear(const Robot& robot, const Configuration& at, const evaluation::Tru
               const PlacementOptions& options) {
   const Posture posture(robot, at);
   const auto body = kinematics::moving_body(robot, options.spared);
-  for (std::size_t i = 0; i < body.size(); ++i) {
-    const model::Capsule part = kinematics::in_world(body[i], posture);
+  std::vector<model::Capsule> parts;
+  for (const kinematics::BodyPart& part : body) parts.push_back(kinematics::in_world(part, posture));
+  for (const model::Capsule& part : parts)
     if (surface.distance_along(part.a, part.b) - part.radius < options.link_distance) return false;
-    for (std::size_t j = i + 1; j < body.size(); ++j) {
-      const auto &one = robot.links[body[i].link], &other = robot.links[body[j].link];
-      if (body[i].link == body[j].link || one.parent == body[j].link || other.parent == body[i].link)
-        continue;
-      const double apart = following::distance_between(part, kinematics::in_world(body[j], posture));
-      if (apart < options.own_distance && apart > -options.own_distance) return false;
-    }
-  }
+  for (const auto& [i, j] : kinematics::pairs_to_keep_apart(robot, body))
+    if (kinematics::distance_between(parts[i], parts[j]) < options.own_distance) return false;
   return true;
 }
 

@@ -35,8 +35,7 @@ FollowRun::FollowRun(const FollowSetup& setup)
       follower_(following::make_follower(setup.strategy, setup.following)),
       sensing_(*setup.world.world, setup.errors),
       watch_(setup.following.resolution, setup.robot.sensors.size()) {
-  if (setup.links)
-    links_ = std::make_unique<following::LinkMotion>(setup.robot, setup.configuration, *setup.links);
+  if (setup.links) links_ = std::make_unique<following::LinkMotion>(setup.robot, *setup.links);
 }
 
 FollowOutcome FollowRun::go(const std::function<void(const FollowStep&)>& look) {

@@ -3,6 +3,7 @@
 #include <limpet/app/model_series.hpp>
 #include <limpet/app/progress.hpp>
 #include <limpet/app/run_reader.hpp>
+#include <limpet/drawing/page.hpp>
 #include <limpet/io/error.hpp>
 #include <limpet/io/mesh_writer.hpp>
 #include <limpet/io/output_file.hpp>
@@ -26,7 +27,7 @@ class Series {
     const std::string name = "stage" + std::to_string(count_++) + ".vtp";
     io::save_mesh((folder_ / name).string(), model);
     list_ += "    <DataSet timestep=\"" + std::to_string(sets) + "\" part=\"0\" file=\"" +
-             attribute(folder_.filename().string()) + "/" + name + "\"/>\n";
+             drawing::html_text(folder_.filename().string()) + "/" + name + "\"/>\n";
   }
 
   void close() {
@@ -37,21 +38,6 @@ class Series {
   }
 
  private:
-  static std::string attribute(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-      if (c == '&')
-        result += "&amp;";
-      else if (c == '<')
-        result += "&lt;";
-      else if (c == '"')
-        result += "&quot;";
-      else
-        result += c;
-    }
-    return result;
-  }
-
   std::string path_;
   fs::path folder_;
   std::string list_;

@@ -22,7 +22,7 @@ std::string page(const std::string& title, const std::string& data);
 std::string gzipped(const std::string& bytes);
 /// In letters, digits, + and / (RFC 4648), padded.
 std::string base64(const std::string& bytes);
-/// Text for HTML: & < > " ' as character references.
+/// Text for HTML and XML: & < > " ' as character references.
 std::string html_text(const std::string& text);
 
 }  // namespace limpet::drawing

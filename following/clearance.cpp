@@ -16,21 +16,13 @@ double squared_distance_to_way(const Vector3d& p, const Vector3d& a, const Vecto
 
 }  // namespace
 
-void Clearance::remember(std::span<const model::SensorPoint> readings) {
-  for (const model::SensorPoint& reading : readings) recent_.push_back(reading.position);
-  sizes_.push_back(readings.size());
-  if (sizes_.size() <= kRecent) return;
-  recent_.erase(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(sizes_.front()));
-  sizes_.pop_front();
-}
-
 double Clearance::at(const model::View& view, const Vector3d& place, double reach) const {
   return along(view, place, place, reach);
 }
 
 double Clearance::along(const model::View& view, const Vector3d& a, const Vector3d& b, double reach) const {
   double least2 = reach * reach;
-  for (const Vector3d& p : recent_) least2 = std::min(least2, squared_distance_to_way(p, a, b));
+  for (const Vector3d& p : recent_.positions()) least2 = std::min(least2, squared_distance_to_way(p, a, b));
   const double least = std::sqrt(least2);
   const auto found = view.nearest(model::Capsule{a, b, 0}, least);
   return found ? std::min(found->distance, least) : least;

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <deque>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include <limpet/following/recent_readings.hpp>
 #include <limpet/model/sensor_point.hpp>
 #include <limpet/model/view.hpp>
 
@@ -22,7 +22,7 @@ class Clearance {
   double least() const { return least_; }
 
   /// Remembers a set of readings as obstacles, and forgets the set 80 sets ago.
-  void remember(std::span<const model::SensorPoint> readings);
+  void remember(std::span<const model::SensorPoint> readings) { recent_.add(readings); }
 
   /// Distance from a place to the nearest obstacle, or `reach` when there is none that near.
   double at(const model::View&, const Eigen::Vector3d& place, double reach) const;
@@ -44,11 +44,8 @@ class Clearance {
   bool keeps(const model::View&, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
              double distance) const;
 
-  static constexpr std::size_t kRecent = 80;  ///< sets
-
   double least_;
-  std::deque<Eigen::Vector3d> recent_;  ///< readings, the latest last
-  std::deque<std::size_t> sizes_;       ///< of the sets that they are of
+  RecentReadings recent_;
   std::vector<Eigen::Vector3d> suspected_;
 };
 

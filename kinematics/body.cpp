@@ -26,6 +26,25 @@ std::vector<model::Capsule> outside_ball(const model::Capsule& capsule, const Ve
   return pieces;
 }
 
+/// The nearest link with extent that carries this one.
+std::optional<std::size_t> carrier_of(const Robot& robot, std::size_t link) {
+  std::optional<std::size_t> parent = robot.links[link].parent;
+  while (parent && robot.links[*parent].body.empty()) parent = robot.links[*parent].parent;
+  return parent;
+}
+
+bool are_joined(const Robot& robot, std::size_t a, std::size_t b) {
+  return a == b || carrier_of(robot, a) == b || carrier_of(robot, b) == a;
+}
+
+Configuration resting(const Robot& robot) {
+  Configuration at(static_cast<Eigen::Index>(robot.joint_count()));
+  Eigen::Index k = 0;
+  for (const Link& link : robot.links)
+    if (link.joint.kind != Joint::Kind::fixed) at[k++] = std::clamp(0.0, link.joint.low, link.joint.high);
+  return at;
+}
+
 }  // namespace
 
 bool is_moved(const Robot& robot, std::size_t link) {
@@ -79,6 +98,51 @@ double largest_lever(const Posture& posture) {
   const Eigen::Matrix3Xd jacobian = posture.jacobian();
   const double largest = jacobian.cols() > 0 ? jacobian.colwise().norm().maxCoeff() : 0;
   return largest > 0 ? largest : 1;
+}
+
+NearestOfCapsules nearest_points(const model::Capsule& p, const model::Capsule& q) {
+  // Ericson, Real-Time Collision Detection, 5.1.9.
+  const Vector3d u = p.b - p.a, v = q.b - q.a, r = p.a - q.a;
+  const double a = u.squaredNorm(), e = v.squaredNorm(), f = v.dot(r), c = u.dot(r), b = u.dot(v);
+  const auto clamped = [](double x) { return std::clamp(x, 0.0, 1.0); };
+  double s = 0, t = 0;
+  if (a > 0 && e > 0) {
+    const double determinant = a * e - b * b;
+    s = determinant > 1e-12 * a * e ? clamped((b * f - c * e) / determinant) : 0;
+    t = (b * s + f) / e;
+    if (t < 0)
+      t = 0, s = clamped(-c / a);
+    else if (t > 1)
+      t = 1, s = clamped((b - c) / a);
+  } else if (a > 0) {
+    s = clamped(-c / a);
+  } else if (e > 0) {
+    t = clamped(f / e);
+  }
+  NearestOfCapsules nearest{p.a + s * u, q.a + t * v, Vector3d::UnitZ(), 0};
+  const Vector3d between = nearest.on_first - nearest.on_second;
+  const double length = between.norm();
+  if (length > 0)
+    nearest.away = between / length;
+  else if (const Vector3d normal = u.cross(v); normal.norm() > 0)
+    nearest.away = normal.normalized();
+  nearest.distance = length - p.radius - q.radius;
+  return nearest;
+}
+
+double distance_between(const model::Capsule& p, const model::Capsule& q) {
+  return nearest_points(p, q).distance;
+}
+
+std::vector<PairOfParts> pairs_to_keep_apart(const Robot& robot, const std::vector<BodyPart>& parts) {
+  const Posture rest(robot, resting(robot));
+  std::vector<PairOfParts> pairs;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = i + 1; j < parts.size(); ++j)
+      if (!are_joined(robot, parts[i].link, parts[j].link) &&
+          distance_between(in_world(parts[i], rest), in_world(parts[j], rest)) > 0)
+        pairs.push_back({i, j});
+  return pairs;
 }
 
 }  // namespace limpet::kinematics

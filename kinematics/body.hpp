@@ -35,4 +35,24 @@ Eigen::VectorXd reach_of_joints(const BodyPart&, const Posture&);
 /// where nothing moves it.
 double largest_lever(const Posture&);
 
+/// Two parts of a robot that are to be kept apart, as indices of its parts.
+struct PairOfParts {
+  std::size_t first = 0, second = 0;
+};
+
+/// The pairs of parts that must not touch each other: those that do not by the robot's make. It is made so
+/// that parts of one link touch, those of links that are joined, also through links without extent, and those
+/// that overlap when all joints are at rest: at 0, or at the limit that is nearest to it.
+std::vector<PairOfParts> pairs_to_keep_apart(const Robot&, const std::vector<BodyPart>&);
+
+/// The nearest points of the axes of two capsules, and how far the capsules are from each other.
+struct NearestOfCapsules {
+  Eigen::Vector3d on_first, on_second;
+  /// Unit vector from the second to the first; where the axes meet, any that is at right angles to both.
+  Eigen::Vector3d away;
+  double distance = 0;  ///< between the surfaces; negative when they overlap
+};
+NearestOfCapsules nearest_points(const model::Capsule&, const model::Capsule&);
+double distance_between(const model::Capsule&, const model::Capsule&);
+
 }  // namespace limpet::kinematics

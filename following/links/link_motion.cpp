@@ -23,23 +23,6 @@ GuardedPart control_part(const kinematics::Robot& robot, double least) {
   return {{link, {position, position, 0}}, least};
 }
 
-/// Pairs of parts that can come near each other: not of links that are joined, and apart at the start.
-std::vector<PairOfParts> pairs_of(const Posture& start, const std::vector<kinematics::BodyPart>& parts,
-                                  double least) {
-  const auto& links = start.robot().links;
-  const auto are_joined = [&](std::size_t a, std::size_t b) {
-    return a == b || links[a].parent == b || links[b].parent == a;
-  };
-  std::vector<PairOfParts> pairs;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    for (std::size_t j = i + 1; j < parts.size(); ++j) {
-      if (are_joined(parts[i].link, parts[j].link)) continue;
-      if (distance_between(in_world(parts[i], start), in_world(parts[j], start)) >= least)
-        pairs.push_back({i, j});
-    }
-  return pairs;
-}
-
 }  // namespace
 
 LinkParameters usual_link_parameters(const Parameters& p, Redundancy redundancy) {
@@ -126,7 +109,7 @@ struct LinkMotion::Programme {
   Eigen::Index rows_ = 0;
 };
 
-LinkMotion::LinkMotion(const kinematics::Robot& robot, const Configuration& start, const LinkParameters& p)
+LinkMotion::LinkMotion(const kinematics::Robot& robot, const LinkParameters& p)
     : robot_(robot),
       parameters_(p),
       body_(kinematics::moving_body(robot, p.spared)),
@@ -134,7 +117,7 @@ LinkMotion::LinkMotion(const kinematics::Robot& robot, const Configuration& star
       last_clearance_(kInfinite) {
   for (const kinematics::BodyPart& part : body_) guarded_.push_back({part, p.least_distance});
   guarded_.push_back(control_part(robot, p.control_clearance));
-  pairs_ = pairs_of(Posture(robot, start), body_, p.own_distance);
+  pairs_ = kinematics::pairs_to_keep_apart(robot, body_);
 }
 
 LinkMotion::~LinkMotion() = default;
@@ -177,9 +160,9 @@ Configuration LinkMotion::by_programme(const Observation& seen, const Vector3d& 
     programme.add_row(p.away.transpose() * posture.jacobian(p.link, p.on_link),
                       p.distance - parameters_.least_distance);
   }
-  for (const PairOfParts& pair : pairs_) {
-    const NearestOfCapsules nearest =
-        nearest_points(in_world(body_[pair.first], posture), in_world(body_[pair.second], posture));
+  for (const kinematics::PairOfParts& pair : pairs_) {
+    const kinematics::NearestOfCapsules nearest = kinematics::nearest_points(
+        in_world(body_[pair.first], posture), in_world(body_[pair.second], posture));
     if (nearest.distance > influence) continue;
     programme.add_row(
         nearest.away.transpose() * (posture.jacobian(body_[pair.first].link, nearest.on_first) -

@@ -48,8 +48,8 @@ LinkParameters usual_link_parameters(const Parameters&, Redundancy);
 ///  (4) the same calls give the same changes.
 class LinkMotion {
  public:
-  /// The robot must outlive it. Pairs of parts that overlap in `start` are taken to be made so, and may.
-  LinkMotion(const kinematics::Robot&, const kinematics::Configuration& start, const LinkParameters&);
+  /// The robot must outlive it.
+  LinkMotion(const kinematics::Robot&, const LinkParameters&);
   ~LinkMotion();
 
   /// The changes for a motion of the control point, after a set. Precondition: called once for each set, in
@@ -72,7 +72,7 @@ class LinkMotion {
   LinkParameters parameters_;
   std::vector<kinematics::BodyPart> body_;
   std::vector<GuardedPart> guarded_;  ///< the body, and the control point
-  std::vector<PairOfParts> pairs_;
+  std::vector<kinematics::PairOfParts> pairs_;
   RecentReadings readings_;
   std::unique_ptr<Programme> programme_;
   double last_clearance_;

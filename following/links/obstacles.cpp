@@ -40,14 +40,6 @@ int sector_of(const Vector3d& away) {
 
 }  // namespace
 
-void RecentReadings::add(std::span<const model::SensorPoint> set) {
-  for (const model::SensorPoint& reading : set) positions_.push_back(reading.position);
-  sizes_.push_back(set.size());
-  if (sizes_.size() <= kSets) return;
-  positions_.erase(positions_.begin(), positions_.begin() + static_cast<std::ptrdiff_t>(sizes_.front()));
-  sizes_.pop_front();
-}
-
 Obstacles::Obstacles(const model::View& view, const RecentReadings& readings, std::span<const BodyPart> body,
                      const Posture& posture, double reach)
     : view_(view) {

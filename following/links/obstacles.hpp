@@ -3,30 +3,15 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <deque>
 #include <span>
 #include <vector>
 
+#include <limpet/following/recent_readings.hpp>
 #include <limpet/kinematics/body.hpp>
 #include <limpet/kinematics/redundancy.hpp>
-#include <limpet/model/sensor_point.hpp>
 #include <limpet/model/view.hpp>
 
 namespace limpet::following {
-
-/// Readings that links are to be kept off although the model may not have them yet: the recent ones.
-class RecentReadings {
- public:
-  /// A set of readings joins, and the set that came so many before it goes.
-  void add(std::span<const model::SensorPoint>);
-  const std::deque<Eigen::Vector3d>& positions() const { return positions_; }
-
- private:
-  static constexpr std::size_t kSets = 80;
-
-  std::deque<Eigen::Vector3d> positions_;
-  std::deque<std::size_t> sizes_;  ///< of the sets
-};
 
 /// What a robot's links have to keep off, near where they are now: the surface model, and readings.
 class Obstacles {

@@ -61,48 +61,16 @@ bool keeps_clear(const Posture& posture, const Configuration& changes, const Obs
   return true;
 }
 
-NearestOfCapsules nearest_points(const Capsule& p, const Capsule& q) {
-  // Ericson, Real-Time Collision Detection, 5.1.9.
-  const Vector3d u = p.b - p.a, v = q.b - q.a, r = p.a - q.a;
-  const double a = u.squaredNorm(), e = v.squaredNorm(), f = v.dot(r), c = u.dot(r), b = u.dot(v);
-  const auto clamped = [](double x) { return std::clamp(x, 0.0, 1.0); };
-  double s = 0, t = 0;
-  if (a > 0 && e > 0) {
-    const double determinant = a * e - b * b;
-    s = determinant > 1e-12 * a * e ? clamped((b * f - c * e) / determinant) : 0;
-    t = (b * s + f) / e;
-    if (t < 0)
-      t = 0, s = clamped(-c / a);
-    else if (t > 1)
-      t = 1, s = clamped((b - c) / a);
-  } else if (a > 0) {
-    s = clamped(-c / a);
-  } else if (e > 0) {
-    t = clamped(f / e);
-  }
-  NearestOfCapsules nearest{p.a + s * u, q.a + t * v, Vector3d::UnitZ(), 0};
-  const Vector3d between = nearest.on_first - nearest.on_second;
-  const double length = between.norm();
-  if (length > 0)
-    nearest.away = between / length;
-  else if (const Vector3d normal = u.cross(v); normal.norm() > 0)
-    nearest.away = normal.normalized();
-  nearest.distance = length - p.radius - q.radius;
-  return nearest;
-}
-
-double distance_between(const Capsule& p, const Capsule& q) { return nearest_points(p, q).distance; }
-
 bool keeps_apart(const Posture& posture, const Configuration& changes,
-                 std::span<const kinematics::BodyPart> parts, std::span<const PairOfParts> pairs,
+                 std::span<const kinematics::BodyPart> parts, std::span<const kinematics::PairOfParts> pairs,
                  double least) {
-  for (const PairOfParts& pair : pairs) {
+  for (const kinematics::PairOfParts& pair : pairs) {
     const auto& p = parts[pair.first];
     const auto& q = parts[pair.second];
     const double bound = motion_bound(p, posture, changes) + motion_bound(q, posture, changes);
     const auto at = [&](double t) {
       const Posture there(posture.robot(), posture.configuration() + t * changes);
-      return distance_between(kinematics::in_world(p, there), kinematics::in_world(q, there));
+      return kinematics::distance_between(kinematics::in_world(p, there), kinematics::in_world(q, there));
     };
     const double start = at(0), slack = 0.01 * least;
     if (start >= least + bound) continue;

@@ -22,20 +22,8 @@ bool keeps_clear(const kinematics::Posture&, const kinematics::Configuration& ch
                  std::span<const GuardedPart>);
 
 /// The same for the robot and itself: parts of these pairs (indices of parts) keep `least` from each other.
-struct PairOfParts {
-  std::size_t first = 0, second = 0;
-};
 bool keeps_apart(const kinematics::Posture&, const kinematics::Configuration& changes,
-                 std::span<const kinematics::BodyPart>, std::span<const PairOfParts>, double least);
-
-/// The nearest points of the axes of two capsules, and how far the capsules are from each other.
-struct NearestOfCapsules {
-  Eigen::Vector3d on_first, on_second;
-  /// Unit vector from the second to the first; where the axes meet, any that is at right angles to both.
-  Eigen::Vector3d away;
-  double distance = 0;  ///< between the surfaces; negative when they overlap
-};
-NearestOfCapsules nearest_points(const model::Capsule&, const model::Capsule&);
-double distance_between(const model::Capsule&, const model::Capsule&);
+                 std::span<const kinematics::BodyPart>, std::span<const kinematics::PairOfParts>,
+                 double least);
 
 }  // namespace limpet::following

@@ -64,7 +64,7 @@ TEST(LinkMotion, TheProgrammeKeepsLinksOffWhateverIsAsked) {
     model::Model model(model::Parameters{});
     for (int i = 0; i < 3; ++i)
       add_square(model, random, Posture(robot, at).control_point() + robots::random_vector(random, 1));
-    LinkMotion motion(robot, at, links);
+    LinkMotion motion(robot, links);
     const Vector3d way = robots::random_axis(random);
     for (int step = 0; step < 40; ++step, ++steps) {
       const Posture posture(robot, at);
@@ -96,7 +96,7 @@ TEST(LinkMotion, FarFromEverythingBothMoveTheControlPointAsAsked) {
     for (int trial = 0; trial < 50; ++trial) {
       const Configuration at = bent(random);
       const Posture posture(robot, at);
-      LinkMotion motion(robot, at, usual_link_parameters(usual_parameters(0.05), redundancy));
+      LinkMotion motion(robot, usual_link_parameters(usual_parameters(0.05), redundancy));
       const Vector3d wanted = 0.02 * robots::random_axis(random);
       const Configuration changes = motion.changes({nothing, {}, posture, {}}, wanted);
       const Vector3d made = posture.jacobian() * changes;
@@ -116,8 +116,7 @@ TEST(LinkMotion, ReadingsAreObstaclesAtOnce) {
   robot.links[0].body = {{Vector3d(0, 0, 0.5), Vector3d(0, 0, 1), 0.01}};
   robot.ceilings.prismatic = 0.1;
   const model::Model nothing{model::Parameters{}};
-  LinkMotion motion(robot, Configuration::Zero(1),
-                    usual_link_parameters(usual_parameters(0.05), Redundancy::programme));
+  LinkMotion motion(robot, usual_link_parameters(usual_parameters(0.05), Redundancy::programme));
   Configuration at = Configuration::Zero(1);
   const std::vector<model::SensorPoint> readings = {{Vector3d(0.2, 0, 0.7), Vector3d::UnitX()}};
   for (int step = 0; step < 30; ++step) {
@@ -136,7 +135,7 @@ TEST(LinkMotion, TheSameCallsGiveTheSameChanges) {
   const Configuration at = bent(random);
   add_square(model, random, Posture(robot, at).control_point() + Vector3d(0.1, 0.1, 0.1));
   const auto run = [&] {
-    LinkMotion motion(robot, at, usual_link_parameters(usual_parameters(0.05), Redundancy::programme));
+    LinkMotion motion(robot, usual_link_parameters(usual_parameters(0.05), Redundancy::programme));
     Configuration now = at;
     for (int i = 0; i < 20; ++i) {
       const Posture posture(robot, now);

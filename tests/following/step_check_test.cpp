@@ -107,7 +107,7 @@ TEST(StepCheck, DistanceOfCapsulesIsThatOfTheirNearestPoints) {
     model::Capsule p{v(), v(), 0.05}, q{v(), v(), 0.1};
     if (trial % 5 == 0) q.b = q.a + (p.b - p.a);  // parallel
     if (trial % 7 == 0) p.b = p.a;                // a ball
-    const NearestOfCapsules nearest = nearest_points(p, q);
+    const kinematics::NearestOfCapsules nearest = kinematics::nearest_points(p, q);
     EXPECT_NEAR((nearest.on_first - nearest.on_second).norm() - 0.15, nearest.distance, 1e-12);
     double least = 1e9;
     for (double s = 0; s <= 1; s += 0.02)
@@ -115,7 +115,7 @@ TEST(StepCheck, DistanceOfCapsulesIsThatOfTheirNearestPoints) {
         least = std::min(least, (p.a + s * (p.b - p.a) - q.a - t * (q.b - q.a)).norm());
     EXPECT_LE(nearest.distance, least - 0.15 + 1e-12);
     EXPECT_GE(nearest.distance, least - 0.15 - 0.08);
-    EXPECT_DOUBLE_EQ(distance_between(p, q), nearest.distance);
+    EXPECT_DOUBLE_EQ(kinematics::distance_between(p, q), nearest.distance);
   }
 }
 
