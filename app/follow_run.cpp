@@ -27,16 +27,19 @@ model::Model begin(const FollowSetup& setup) {
   }
 }
 
+std::unique_ptr<following::LinkMotion> links_of(const FollowSetup& setup) {
+  if (!setup.links) return nullptr;
+  return std::make_unique<following::LinkMotion>(setup.robot, *setup.links);
+}
+
 }  // namespace
 
 FollowRun::FollowRun(const FollowSetup& setup)
     : setup_(setup),
       model_(begin(setup)),
-      follower_(following::make_follower(setup.strategy, setup.following)),
+      follower_(following::make_follower(setup.strategy, setup.following, links_of(setup))),
       sensing_(*setup.world.world, setup.errors),
-      watch_(setup.following.resolution, setup.robot.sensors.size()) {
-  if (setup.links) links_ = std::make_unique<following::LinkMotion>(setup.robot, *setup.links);
-}
+      watch_(setup.following.resolution, setup.robot.sensors.size()) {}
 
 FollowOutcome FollowRun::go(const std::function<void(const FollowStep&)>& look) {
   FollowOutcome outcome;
@@ -82,7 +85,7 @@ std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(co
     if (microseconds_since(begin) > 1e6 * setup_.max_seconds) return "max-seconds";
     const simulation::Sensed sensed = sense(at);
     outcome.path.push_back(kinematics::Posture(setup_.robot, at).control_point());
-    if (links_) outcome.way.push_back(at);
+    if (setup_.links) outcome.way.push_back(at);
     outcome.readings += static_cast<std::int64_t>(sensed.points.size());
 
     auto start = Clock::now();
@@ -93,25 +96,17 @@ std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(co
     const following::Observation seen{model_, changes, posture, sensed.points};
     const following::Motion motion = follower_->next(seen);
     outcome.step_us.push_back(microseconds_since(start));
+    if (const auto* links = follower_->links())
+      outcome.link_clearance = std::min(outcome.link_clearance, links->clearance());
 
     if (motion.end == following::End::no_surface)
       throw UsageError("no surface is within sensing range of the start; give another --start");
     look({sensed, seen, motion, *follower_, outcome.path.back()});
     if (motion.end != following::End::none) return std::string(following::name_of(motion.end));
     ++outcome.steps_in_mode[static_cast<std::size_t>(motion.mode)];
-    at += all_joints(seen, motion, outcome);
+    at += motion.changes;
   }
   return "max-sets";
-}
-
-kinematics::Configuration FollowRun::all_joints(const following::Observation& seen,
-                                                const following::Motion& motion, FollowOutcome& outcome) {
-  if (!links_) return kinematics::actuator_changes(seen.posture, motion.displacement);
-  const auto start = Clock::now();
-  kinematics::Configuration changes = links_->changes(seen, motion.displacement);
-  outcome.step_us.back() += microseconds_since(start);
-  outcome.link_clearance = std::min(outcome.link_clearance, links_->last_clearance());
-  return changes;
 }
 
 }  // namespace limpet::app

@@ -54,16 +54,12 @@ class FollowRun {
 
  private:
   simulation::Sensed sense(const kinematics::Configuration& at);
-  /// What the motion is for all joints.
-  kinematics::Configuration all_joints(const following::Observation&, const following::Motion&,
-                                       FollowOutcome&);
   void finish(FollowOutcome&);
   std::string go_on(FollowOutcome&, const std::function<void(const FollowStep&)>& look);
 
   const FollowSetup& setup_;
   model::Model model_;
   std::unique_ptr<following::Follower> follower_;
-  std::unique_ptr<following::LinkMotion> links_;  ///< of a robot with links
   simulation::Sensing sensing_;
   following::SensorWatch watch_;
 };

@@ -21,6 +21,12 @@ void require(bool good, const char* what) {
   if (!good) throw std::invalid_argument(what);
 }
 
+/// Where the changes of the joints bring the control point.
+Vector3d displacement_by(const kinematics::Posture& posture, const kinematics::Configuration& changes) {
+  const kinematics::Posture there(posture.robot(), posture.configuration() + changes);
+  return there.control_point() - posture.control_point();
+}
+
 /// The motion of the control point that the robot can make in one step.
 Vector3d within_ceilings(const kinematics::Posture& posture, const Vector3d& motion) {
   return posture.jacobian() * kinematics::actuator_changes(posture, motion);
@@ -48,7 +54,7 @@ void require_sound(const Parameters& p) {
 
 std::string_view name_of(Mode mode) {
   constexpr std::string_view kNames[] = {
-      "none", "current surface", "current segment", "current edge", "point", "gap", "extend", "travel"};
+      "none", "current surface", "current segment", "current edge", "point", "gap", "extend", "travel", "reposition"};
   return kNames[static_cast<std::size_t>(mode)];
 }
 
@@ -57,12 +63,14 @@ std::string_view name_of(End end) {
   return kNames[static_cast<std::size_t>(end)];
 }
 
-std::unique_ptr<Follower> make_follower(Strategy strategy, const Parameters& parameters) {
-  return strategy == Strategy::thesis ? make_thesis_follower(parameters) : make_frontier_follower(parameters);
+std::unique_ptr<Follower> make_follower(Strategy strategy, const Parameters& parameters,
+                                        std::unique_ptr<LinkMotion> links) {
+  return strategy == Strategy::thesis ? make_thesis_follower(parameters, std::move(links))
+                                      : make_frontier_follower(parameters, std::move(links));
 }
 
-Follower::Follower(const Parameters& parameters)
-    : parameters_(sound(parameters)), clearance_(parameters.clearance()) {}
+Follower::Follower(const Parameters& parameters, std::unique_ptr<LinkMotion> links)
+    : parameters_(sound(parameters)), clearance_(parameters.clearance()), links_(std::move(links)) {}
 
 /// Nothing that stands still stays too near while the robot keeps away from it.
 bool Follower::is_too_near_for_long(const Observation& seen) {
@@ -75,15 +83,29 @@ bool Follower::is_too_near_for_long(const Observation& seen) {
 
 Motion Follower::next(const Observation& seen) {
   clearance_.remember(seen.readings);
+  if (links_) links_->look(seen);
   Motion motion = choose(seen);
   if (is_too_near_for_long(seen)) motion.end = End::stopped;
-  if (motion.end != End::none) return {Vector3d::Zero(), motion.mode, motion.end};
-  const double length = motion.displacement.norm();
-  if (length > parameters_.max_step) motion.displacement *= parameters_.max_step / length;
-  motion.displacement = within_ceilings(seen.posture, motion.displacement);
-  motion.displacement =
-      clearance_.shortened(seen.model.view(), seen.posture.control_point(), motion.displacement);
+  if (motion.end == End::none)
+    make(seen, motion);
+  else
+    motion = {Vector3d::Zero(), kinematics::Configuration::Zero(seen.posture.configuration().size()),
+              motion.mode, motion.end};
   return motion;
+}
+
+/// Makes of what is wanted what can be done.
+void Follower::make(const Observation& seen, Motion& motion) {
+  if (motion.changes.size() == 0) {
+    const double length = motion.displacement.norm();
+    if (length > parameters_.max_step) motion.displacement *= parameters_.max_step / length;
+    motion.displacement = within_ceilings(seen.posture, motion.displacement);
+    motion.displacement =
+        clearance_.shortened(seen.model.view(), seen.posture.control_point(), motion.displacement);
+    motion.changes = links_ ? links_->changes(motion.displacement)
+                            : kinematics::actuator_changes(seen.posture, motion.displacement);
+  }
+  if (links_) motion.displacement = displacement_by(seen.posture, motion.changes);
 }
 
 }  // namespace limpet::following

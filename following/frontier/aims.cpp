@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace limpet::following::internal {
 
@@ -27,11 +28,13 @@ constexpr double kNarrow[] = {0.38, 0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[]
 
 }  // namespace
 
-AimChooser::AimChooser(const Parameters& parameters, const kinematics::Posture& posture, double step)
+AimChooser::AimChooser(const Parameters& parameters, const kinematics::Posture& posture, double step,
+                       Reaches reaches)
     : lambda_(parameters.resolution),
       height_(parameters.follow_distance),
       step_(step),
-      here_(posture.control_point()) {
+      here_(posture.control_point()),
+      reaches_(std::move(reaches)) {
   constexpr double kSure = 0.95;  // of the range: what is farther may just be missed
   for (std::size_t i = 0; i < posture.robot().sensors.size(); ++i) {
     const auto sensor = posture.sensor(i);
@@ -78,6 +81,19 @@ bool AimChooser::is_good(const model::View& view, const Clearance& clearance, co
   return !hit;
 }
 
+/// What is near a place that is out of reach is taken to be so, too.
+bool AimChooser::is_reached(const Vector3d& place) {
+  constexpr double kNear = 0.5;  // λ
+  constexpr std::size_t kMostAsked = 6;
+  if (!reaches_) return true;
+  if (out_of_reach_.size() == kMostAsked) return false;
+  const auto is_near = [&](const Vector3d& other) { return (other - place).norm() < kNear * lambda_; };
+  if (std::any_of(out_of_reach_.begin(), out_of_reach_.end(), is_near)) return false;
+  if (reaches_(place)) return true;
+  out_of_reach_.push_back(place);
+  return false;
+}
+
 std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& clearance,
                                       const std::vector<Target>& targets, ExpectedPlanes& planes) {
   constexpr double kLeastCosine = 0.34;  // 70°
@@ -99,7 +115,7 @@ std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& 
                    [](const Aim& a, const Aim& b) { return a.value > b.value; });
   for (const double margin : search.margins)
     for (const Aim& aim : candidates_)
-      if (is_good(view, clearance, planes, aim, margin)) return aim;
+      if (is_good(view, clearance, planes, aim, margin) && is_reached(aim.place)) return aim;
   return std::nullopt;
 }
 

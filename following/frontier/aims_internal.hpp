@@ -4,6 +4,7 @@
 #include <limpet/following/clearance.hpp>
 #include <limpet/following/parameters.hpp>
 #include <limpet/kinematics/posture.hpp>
+#include <functional>
 #include <limpet/model/view.hpp>
 #include <optional>
 #include <vector>
@@ -25,11 +26,15 @@ struct Aim {
 /// near by are compared by the targets and the new ground that all axes meet there.
 class AimChooser {
  public:
-  /// `step`: how far the control point moves in one step.
-  AimChooser(const Parameters& parameters, const kinematics::Posture&, double step);
+  /// Can the robot take its control point to a place?
+  using Reaches = std::function<bool(const Eigen::Vector3d& place)>;
+
+  /// `step`: how far the control point moves in one step. `reaches`: asked about few of the best places; none:
+  /// it reaches all.
+  AimChooser(const Parameters& parameters, const kinematics::Posture&, double step, Reaches reaches = {});
 
   /// The best aim that the control point can go to in a straight line, with some room to spare if there is
-  /// such an aim, else keeping clear; none if there is none.
+  /// such an aim, else keeping clear, and that the robot reaches; none if there is none.
   std::optional<Aim> choose(const model::View&, const Clearance&, const std::vector<Target>&,
                             ExpectedPlanes&);
 
@@ -44,9 +49,13 @@ class AimChooser {
   /// from there?
   bool is_good(const model::View&, const Clearance&, const ExpectedPlanes&, const Aim&, double margin) const;
 
+  bool is_reached(const Eigen::Vector3d& place);
+
   double lambda_, height_, step_;
   Eigen::Vector3d here_;
   std::vector<Ray> axes_;  ///< from the control point as origin
+  Reaches reaches_;
+  std::vector<Eigen::Vector3d> out_of_reach_;  ///< places that were asked about
   std::vector<Aim> candidates_;
 };
 

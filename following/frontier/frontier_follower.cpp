@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limpet/following/free_rays.hpp>
 #include <optional>
+#include <utility>
 
 #include "aims_internal.hpp"
 #include "open_edge_map_internal.hpp"
 #include "place_memory_internal.hpp"
 #include "space_hash_internal.hpp"
 #include "targets_internal.hpp"
-#include "travel_internal.hpp"
+#include "transit_internal.hpp"
 
 namespace limpet::following {
 namespace {
@@ -30,12 +32,13 @@ constexpr int kRetries = 2;               ///< of what was unreachable
 
 class FrontierFollower : public Follower {
  public:
-  explicit FrontierFollower(const Parameters& p)
-      : Follower(p),
+  FrontierFollower(const Parameters& p, std::unique_ptr<LinkMotion> links)
+      : Follower(p, std::move(links)),
         open_(p.resolution),
         memory_(p.resolution),
         empty_(3 * p.resolution),
-        finder_(p, memory_) {}
+        finder_(p, memory_),
+        tried_(p.resolution) {}
 
   Marks marks() const override {
     return {{}, open_.edges(PartState::unreachable), open_.edges(PartState::unclosable)};
@@ -57,6 +60,7 @@ class FrontierFollower : public Follower {
   void give_up_what_is_near();
   Motion travel(const Observation&, bool has_moved);
   bool begin_travel(const Observation&);
+  bool begin_anew_elsewhere(const Observation&);
   void leave_what_would_close(const Observation&);
   long outcome_period(const Observation&) const;
 
@@ -73,7 +77,8 @@ class FrontierFollower : public Follower {
   internal::PlaceMemory memory_;
   internal::SpaceHash<Nothing> empty_;  ///< where rays met nothing on ground that was expected
   internal::TargetFinder finder_;
-  std::optional<internal::Travel> travel_;
+  std::unique_ptr<internal::Transit> transit_;  ///< from the first set on
+  internal::SpaceHash<Nothing> tried_;  ///< where other configurations of the robot were tried, for each try
   std::vector<OpenPart> parts_;
   std::vector<View::Nearest> points_;
   internal::Outlook outlook_;
@@ -84,21 +89,6 @@ class FrontierFollower : public Follower {
   std::int64_t outcomes_asked_ = 0;
   int retries_ = 0;
 };
-
-/// The distance up to which the ray of a sensor is known to be free. A reading is the sensor's that has its
-/// axis and is on it, or beside it by less than `beside`: the point that a range image has there.
-double free_range(const kinematics::Posture::Sensor& sensor, std::span<const model::SensorPoint> readings,
-                  double beside) {
-  constexpr double kSame = 1e-9;
-  double free = sensor.range, nearest2 = beside * beside;
-  for (const model::SensorPoint& reading : readings) {
-    if ((reading.axis - sensor.axis).squaredNorm() > kSame) continue;
-    const Vector3d on_axis = sensor.position + reading.range * sensor.axis;
-    const double off2 = (reading.position - on_axis).squaredNorm();
-    if (off2 < nearest2) nearest2 = off2, free = reading.range;
-  }
-  return free;
-}
 
 /// What of each sensor's ray is known to be free, but for the last bit: a surface a little before the one
 /// that is expected is the same. A reading may be this far beside its axis.
@@ -182,11 +172,14 @@ void FrontierFollower::close_aim(const Vector3d& here, bool has_moved) {
 
 /// The next step to the best aim near by.
 Motion FrontierFollower::go_on(const Observation& seen) {
-  internal::AimChooser chooser(parameters(), seen.posture, step(seen));
+  internal::AimChooser::Reaches reaches;
+  if (LinkMotion* links = judge())
+    reaches = [links](const Vector3d& place) { return links->reaches(place); };
+  internal::AimChooser chooser(parameters(), seen.posture, step(seen), reaches);
   aim_ = chooser.choose(seen.model.view(), clearance(), outlook_.targets, *planes_);
   if (!aim_) return {};
   memory_.note_aimed(aim_->target.at, aim_->target.normal);
-  return {aim_->place - seen.posture.control_point(), Mode::extend};
+  return {aim_->place - seen.posture.control_point(), {}, Mode::extend};
 }
 
 /// From here nothing can be aimed at: all targets near are blocked, for now.
@@ -211,59 +204,79 @@ void FrontierFollower::leave_what_would_close(const Observation& seen) {
 bool FrontierFollower::begin_travel(const Observation& seen) {
   const auto wanted = [&](const Vector3d& place) { return open_.any_wanted(place, aiming_reach()); };
   if (sets_ - asked_ >= outcome_period(seen) / 2) leave_what_would_close(seen);
-  if (travel_->begin(wanted)) return true;
+  if (transit_->begin(wanted)) return true;
   if (sets_ != asked_) {
     leave_what_would_close(seen);
-    if (travel_->begin(wanted)) return true;
+    if (transit_->begin(wanted)) return true;
   }
-  if (const auto given = open_.nearest_wanted_of_initial(seen.posture.control_point(), seen.model.view())) {
-    travel_->begin(*given);
-    return true;
+  while (const auto given = open_.nearest_wanted_of_initial(seen.posture.control_point(), seen.model.view())) {
+    if (transit_->begin_to(*given)) return true;
+    open_.give_up(*given, aiming_reach());
   }
-  if (open_.insist() && travel_->begin(wanted)) return true;
+  if (open_.insist() && transit_->begin(wanted)) return true;
+  if (judge()) return begin_anew_elsewhere(seen);
   if (retries_ == kRetries || !open_.retry()) return false;
   ++retries_;
   memory_.forget_blocked();
-  return travel_->begin(wanted);
+  return transit_->begin(wanted);
+}
+
+/// What was out of reach may be within, from another configuration: thesis §3.4.7 has it for later.
+bool FrontierFollower::begin_anew_elsewhere(const Observation& seen) {
+  constexpr int kTries = 2;
+  constexpr double kTogether = 1.5, kOutside = 0.85;  // λ
+  const View view = seen.model.view();
+  for (const OpenPart& part : open_.unreachable(seen.posture.control_point(), view)) {
+    const Vector3d normal = view.segment(part.segment)->plane.normal;
+    const Vector3d outward = (part.to - part.from).cross(normal).normalized();
+    int tries = 0;
+    tried_.for_each_within(part.middle(), kTogether * lambda(), [&](const Vector3d&, Nothing) { ++tries; });
+    if (tries >= kTries) continue;
+    tried_.put(part.middle(), {});
+    const Vector3d over = part.middle() + kOutside * lambda() * outward;
+    if (!transit_->begin_to(over + parameters().follow_distance * normal)) continue;
+    open_.retry(part.middle(), aiming_reach());
+    memory_.forget_blocked(over, aiming_reach());
+    return true;
+  }
+  return false;
 }
 
 Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
-  const Vector3d here = seen.posture.control_point();
-  if (travel_->is_under_way()) {
-    const auto progress = travel_->look(here, has_moved);
+  if (transit_->is_under_way()) {
+    const auto progress = transit_->look(seen, has_moved);
     if (progress == internal::Travel::Progress::hopeless) {
-      open_.give_up(travel_->goal(), aiming_reach());
+      open_.give_up(transit_->goal(), aiming_reach());
       give_up_what_is_near();  // it is looked at at every step, and would be wanted again for ever
     }
-    const bool goes_on =
-        progress == internal::Travel::Progress::good || (progress == internal::Travel::Progress::stopped &&
-                                                         travel_->go_round(seen.model.view(), clearance()));
-    if (!goes_on) travel_->stop();
+    if (progress != internal::Travel::Progress::good) transit_->stop();
   }
-  if (!travel_->is_under_way() && !begin_travel(seen)) return {Vector3d::Zero(), Mode::travel, End::complete};
-  const View view = seen.model.view();
-  const internal::Steering steering(view, clearance(), seen.posture, step(seen));
-  return {travel_->next(steering, here), Mode::travel};
+  if (!transit_->is_under_way() && !begin_travel(seen))
+    return {Vector3d::Zero(), {}, Mode::travel, End::complete};
+  return transit_->next(seen);
 }
 
 Intent FrontierFollower::intent(const View&) const {
   Intent intent;
   for (const Target& target : outlook_.targets) intent.targets.push_back(target.at);
   if (aim_) intent.aim = {aim_->target.at, aim_->place};
-  if (travel_) intent.way.assign(travel_->way_back().rbegin(), travel_->way_back().rend());
+  if (transit_ && transit_->is_under_way()) intent.way = transit_->way();
   return intent;
 }
 
 void FrontierFollower::begin(const Observation& seen) {
   open_.read(seen.model.view());
-  travel_.emplace(lambda(), step(seen));
+  if (LinkMotion* links = judge())
+    transit_ = internal::make_joint_transit(*links);
+  else
+    transit_ = internal::make_place_transit(lambda(), step(seen), clearance());
   before_ = seen.posture.control_point();
 }
 
 Motion FrontierFollower::choose(const Observation& seen) {
   const View view = seen.model.view();
   const Vector3d here = seen.posture.control_point();
-  if (sets_ == 0 && seen.readings.empty()) return {Vector3d::Zero(), Mode::none, End::no_surface};
+  if (sets_ == 0 && seen.readings.empty()) return {Vector3d::Zero(), {}, Mode::none, End::no_surface};
   if (sets_ == 0)
     begin(seen);
   else
@@ -273,25 +286,26 @@ Motion FrontierFollower::choose(const Observation& seen) {
     leave_what_would_close(seen);
   const bool has_moved = (here - before_).norm() >= 1e-3 * lambda();
   before_ = here;
-  travel_->arrive(view, clearance(), here);
+  transit_->arrive(seen);
   look_at_what_was_read(seen);
   look_around(seen);
   clearance().suspect(outlook_.suspected);
   close_aim(here, has_moved);
   if (!outlook_.targets.empty()) {
     if (const Motion motion = go_on(seen); motion.mode != Mode::none) {
-      travel_->arrived();
+      transit_->arrived();
       return motion;
     }
-    if (!travel_->is_under_way()) give_up_what_is_near();
+    if (!transit_->is_under_way()) give_up_what_is_near();
   }
   return travel(seen, has_moved);
 }
 
 }  // namespace
 
-std::unique_ptr<Follower> make_frontier_follower(const Parameters& parameters) {
-  return std::make_unique<FrontierFollower>(parameters);
+std::unique_ptr<Follower> make_frontier_follower(const Parameters& parameters,
+                                                 std::unique_ptr<LinkMotion> links) {
+  return std::make_unique<FrontierFollower>(parameters, std::move(links));
 }
 
 }  // namespace limpet::following

@@ -122,6 +122,34 @@ bool OpenEdgeMap::retry() {
   return any;
 }
 
+void OpenEdgeMap::retry(const Vector3d& p, double reach) {
+  places_.for_each_within(p, reach, [&](const Vector3d&, const Place& place) {
+    const auto known = edges_.find(place.edge);
+    if (known == edges_.end()) return;
+    PartState& state = known->second.parts[place.part];
+    if (state == PartState::unreachable) state = PartState::wanted;
+  });
+}
+
+std::vector<OpenPart> OpenEdgeMap::unreachable(const Vector3d& p, const View& view) const {
+  std::vector<OpenPart> parts;
+  for (const auto& [id, entry] : edges_) {
+    const auto edge = entry.closes ? std::nullopt : view.edge({id});
+    if (!edge || edge->partner) continue;
+    for (std::uint32_t i = 0; i < entry.parts.size(); ++i) {
+      if (entry.parts[i] != PartState::unreachable) continue;
+      parts.push_back(entry.part(i));
+      parts.back().edge = {id}, parts.back().segment = edge->segment;
+    }
+  }
+  const auto key = [&](const OpenPart& part) {  // ties do not depend on the order of the map
+    return std::tuple((part.middle() - p).norm(), part.edge.value, part.part);
+  };
+  std::sort(parts.begin(), parts.end(),
+            [&](const OpenPart& a, const OpenPart& b) { return key(a) < key(b); });
+  return parts;
+}
+
 void OpenEdgeMap::give_up(const Vector3d& p, double reach) {
   places_.for_each_within(p, reach, [&](const Vector3d&, const Place& place) {
     const auto known = edges_.find(place.edge);

@@ -58,6 +58,10 @@ class OpenEdgeMap {
   bool retry();
   /// The parts within `reach` of p that are wanted become unreachable.
   void give_up(const Eigen::Vector3d& p, double reach);
+  /// The parts that are unreachable, of edges that would not close, the nearest to p first.
+  std::vector<OpenPart> unreachable(const Eigen::Vector3d& p, const model::View&) const;
+  /// The parts within `reach` of p that are unreachable are wanted again.
+  void retry(const Eigen::Vector3d& p, double reach);
   /// The middle of the part of an initial segment's edge that is wanted and nearest to p; none: there is no
   /// such part. It may be far from where anything was felt. Takes time for all open edges.
   std::optional<Eigen::Vector3d> nearest_wanted_of_initial(const Eigen::Vector3d& p,

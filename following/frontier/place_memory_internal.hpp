@@ -35,6 +35,12 @@ class PlaceMemory {
   void forget_blocked() {
     for (Tries& tries : tries_) tries.blocked = tries.aimed = 0;
   }
+  /// The same for what is within `reach` of a place.
+  void forget_blocked(const Eigen::Vector3d& at, double reach) {
+    places_.for_each_within(at, reach, [&](const Eigen::Vector3d&, const Place& place) {
+      tries_[place.index].blocked = tries_[place.index].aimed = 0;
+    });
+  }
   void note_aimed(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) { ++tries(at, normal).aimed; }
 
  private:

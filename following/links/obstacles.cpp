@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace limpet::following {
@@ -15,13 +16,15 @@ using kinematics::Posture;
 using kinematics::Proximity;
 using model::Capsule;
 
-/// The pair of nearest points of a capsule and a place; none where the place is on the axis.
-std::optional<Proximity> proximity_to(std::size_t link, const Capsule& capsule, const Vector3d& place) {
-  const Vector3d on_axis = internal::nearest_on(capsule.a, capsule.b, place);
-  const double distance = (on_axis - place).norm();
+/// The pair of nearest points of a capsule and a ball; none where the ball's centre is on the axis.
+std::optional<Proximity> proximity_to(std::size_t link, const Capsule& capsule, const Vector3d& centre,
+                                      double radius) {
+  const Vector3d on_axis = internal::nearest_on(capsule.a, capsule.b, centre);
+  const double distance = (on_axis - centre).norm();
   if (!(distance > 0)) return std::nullopt;
-  const Vector3d away = (on_axis - place) / distance;
-  return Proximity{link, on_axis - capsule.radius * away, place, away, distance - capsule.radius};
+  const Vector3d away = (on_axis - centre) / distance;
+  return Proximity{link, on_axis - capsule.radius * away, centre + radius * away, away,
+                   distance - capsule.radius - radius};
 }
 
 Proximity proximity_to(std::size_t link, const Capsule& capsule, const model::View::LinkNearest& near) {
@@ -40,23 +43,22 @@ int sector_of(const Vector3d& away) {
 
 }  // namespace
 
-Obstacles::Obstacles(const model::View& view, const RecentReadings& readings, std::span<const BodyPart> body,
-                     const Posture& posture, double reach)
-    : view_(view) {
-  std::vector<Capsule> capsules;
-  for (const BodyPart& part : body) capsules.push_back(kinematics::in_world(part, posture));
-  for (const Vector3d& p : readings.positions())
-    if (std::any_of(capsules.begin(), capsules.end(),
-                    [&](const Capsule& c) { return distance_from_axis(c, p) < c.radius + reach; }))
-      readings_.push_back(p);
+double Obstacles::distance(const Capsule& capsule, double reach, double reading_radius) const {
+  double least = reach;
+  for (const Vector3d& p : readings_)
+    least = std::min(least, distance_from_axis(capsule, p) - capsule.radius - reading_radius);
+  const auto found = view_.nearest(capsule, std::max(least, 0.0));
+  return found ? std::min(found->distance, least) : least;
 }
 
 double Obstacles::distance(const Capsule& capsule, double reach) const {
+  return distance(capsule, reach, radius_);
+}
+
+double Obstacles::clearance(const Posture& posture, std::span<const BodyPart> body, double reach) const {
   double least = reach;
-  for (const Vector3d& p : readings_)
-    least = std::min(least, distance_from_axis(capsule, p) - capsule.radius);
-  const auto found = view_.nearest(capsule, std::max(least, 0.0));
-  return found ? std::min(found->distance, least) : least;
+  for (const BodyPart& part : body) least = distance(kinematics::in_world(part, posture), least, 0);
+  return least < reach ? least : std::numeric_limits<double>::infinity();
 }
 
 void Obstacles::nearest_of_links(const Posture& posture, std::span<const BodyPart> body, double reach,
@@ -87,7 +89,7 @@ void Obstacles::near(const Posture& posture, std::span<const BodyPart> body, dou
     for (const auto& near : segments) result.push_back(proximity_to(part.link, capsule, near));
     std::vector<std::optional<Proximity>> nearest(kSectors);
     for (const Vector3d& p : readings_) {
-      const auto found = proximity_to(part.link, capsule, p);
+      const auto found = proximity_to(part.link, capsule, p, radius_);
       if (!found || found->distance > reach) continue;
       auto& best = nearest[static_cast<std::size_t>(sector_of(found->away))];
       if (!best || found->distance < best->distance) best = found;

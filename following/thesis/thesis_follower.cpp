@@ -54,7 +54,8 @@ std::array<std::array<Vector3d, 2>, 2> sides_of(const Slices& slices, const mode
 
 class ThesisFollower final : public Follower {
  public:
-  explicit ThesisFollower(const Parameters& p) : Follower(p), pursuit_(p), surface_(p) {}
+  ThesisFollower(const Parameters& p, std::unique_ptr<LinkMotion> links)
+      : Follower(p, std::move(links)), pursuit_(p), surface_(p) {}
 
   Marks marks() const override { return pursuit_.completeness.marks(); }
   Intent intent(const model::View&) const override;
@@ -67,11 +68,11 @@ class ThesisFollower final : public Follower {
     pursuit_.take(changes);
     pursuit_.progress.step(seen.posture);
     if (now.closest) pursuit_.completeness.came_closest(*now.closest);
-    if (pursuit_.progress.stands_still(10)) return {Vector3d::Zero(), mode_, End::stopped};
+    if (pursuit_.progress.stands_still(10)) return {Vector3d::Zero(), {}, mode_, End::stopped};
     for (;;) {
       const Decision decision = decide(now);
       if (const auto* direction = std::get_if<Direction>(&decision)) return motion(now, *direction);
-      if (const auto* end = std::get_if<End>(&decision)) return {Vector3d::Zero(), mode_, reason(*end)};
+      if (const auto* end = std::get_if<End>(&decision)) return {Vector3d::Zero(), {}, mode_, reason(*end)};
       enter(std::get<Mode>(decision), now);
     }
   }
@@ -133,6 +134,7 @@ class ThesisFollower final : public Follower {
   Motion motion(const Situation& now, const Direction& direction) const {
     const double step = std::min(direction.step_limit, parameters().max_step);
     return {control_point_motion(closest_point(now), parameters().follow_distance, step, direction.along),
+            {},
             mode_};
   }
 
@@ -160,8 +162,9 @@ Intent ThesisFollower::intent(const model::View& view) const {
 
 }  // namespace
 
-std::unique_ptr<Follower> make_thesis_follower(const Parameters& parameters) {
-  return std::make_unique<ThesisFollower>(parameters);
+std::unique_ptr<Follower> make_thesis_follower(const Parameters& parameters,
+                                               std::unique_ptr<LinkMotion> links) {
+  return std::make_unique<ThesisFollower>(parameters, std::move(links));
 }
 
 }  // namespace limpet::following

@@ -1,0 +1,114 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <algorithm>
+#include <cmath>
+#include <limpet/following/links/goal_postures.hpp>
+#include <limpet/following/links/joint_plan.hpp>
+#include <limpet/following/links/roadmap.hpp>
+
+#include "transit_internal.hpp"
+
+namespace limpet::following::internal {
+namespace {
+
+using Eigen::Vector3d;
+using kinematics::Configuration;
+
+class JointTransit final : public Transit {
+ public:
+  explicit JointTransit(LinkMotion& links) : links_(links), roadmap_(links.guard()) {}
+
+  void arrive(const Observation&) override;
+  bool begin(const Wanted&) override;
+  bool begin_to(const Vector3d& place) override;
+  void stop() override { way_.clear(); }
+  void arrived() override { way_.clear(), stops_ = 0; }
+  bool is_under_way() const override { return !way_.empty(); }
+  Vector3d goal() const override { return node(way_.front()).place; }
+  std::vector<Vector3d> way() const override;
+  Travel::Progress look(const Observation&, bool has_moved) override;
+  Motion next(const Observation&) override;
+
+ private:
+  static constexpr double kThere = 0.05;  ///< steps from a configuration: there
+
+  const Roadmap::Node& node(std::size_t i) const { return roadmap_.nodes()[i]; }
+  void set_way(std::vector<std::size_t> way, Mode);
+  void leave_out_what_is_passed(const Configuration& here);
+
+  LinkMotion& links_;
+  Roadmap roadmap_;
+  Mode mode_ = Mode::travel;
+  std::vector<std::size_t> way_;  ///< nodes, the next one last
+  long steps_left_ = 0;           ///< until the goal is given up
+  int stops_ = 0;                 ///< since the last way that arrived
+};
+
+void JointTransit::arrive(const Observation& seen) {
+  roadmap_.arrive(seen.posture, links_.obstacles());
+  if (is_under_way() && roadmap_.steps(node(way_.front()).at, seen.posture.configuration()) < kThere)
+    way_.clear(), stops_ = 0;
+}
+
+bool JointTransit::begin(const Wanted& wanted) {
+  const std::size_t here = roadmap_.present();
+  set_way(roadmap_.way_to([&](std::size_t i) { return i != here && wanted(node(i).place); }), Mode::travel);
+  return is_under_way();
+}
+
+bool JointTransit::begin_to(const Vector3d& place) {
+  const auto plan = plan_to(goal_postures(links_, roadmap_, place), links_, roadmap_);
+  if (!plan) return false;
+  roadmap_.add_way(plan->from, plan->after);
+  const std::size_t goal = roadmap_.nodes().size() - 1;
+  set_way(roadmap_.way_to([&](std::size_t i) { return i == goal; }), Mode::reposition);
+  return is_under_way();
+}
+
+void JointTransit::set_way(std::vector<std::size_t> way, Mode mode) {
+  constexpr long kMoreSteps = 12, kDetour = 3;
+  double length = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += roadmap_.steps(node(way[i - 1]).at, node(way[i]).at);
+  steps_left_ = kMoreSteps + kDetour * std::lround(length);
+  std::reverse(way.begin(), way.end());
+  way_ = std::move(way);
+  mode_ = mode;
+}
+
+std::vector<Vector3d> JointTransit::way() const {
+  std::vector<Vector3d> places;
+  for (auto i = way_.rbegin(); i != way_.rend(); ++i) places.push_back(node(*i).place);
+  return places;
+}
+
+Travel::Progress JointTransit::look(const Observation&, bool has_moved) {
+  constexpr int kStops = 6;
+  if (!has_moved) roadmap_.block(way_.back()), ++stops_;
+  const bool is_hopeless = stops_ >= kStops || --steps_left_ <= 0;
+  if (is_hopeless) stops_ = 0;
+  return is_hopeless ? Travel::Progress::hopeless
+                     : has_moved ? Travel::Progress::good : Travel::Progress::stopped;
+}
+
+/// Straight to the farthest node of the way, of the next few, that can be gone to.
+void JointTransit::leave_out_what_is_passed(const Configuration& here) {
+  constexpr int kAhead = 3;
+  for (int i = 0; i < kAhead && way_.size() > 1; ++i) {
+    const Configuration& next = node(way_[way_.size() - 2]).at;
+    const bool is_there = roadmap_.steps(node(way_.back()).at, here) < kThere;
+    if (!is_there && !links_.guard().connects(here, next, links_.obstacles())) return;
+    way_.pop_back();
+  }
+}
+
+Motion JointTransit::next(const Observation& seen) {
+  leave_out_what_is_passed(seen.posture.configuration());
+  return {Vector3d::Zero(), links_.towards(node(way_.back()).at), mode_};
+}
+
+}  // namespace
+
+std::unique_ptr<Transit> make_joint_transit(LinkMotion& links) {
+  return std::make_unique<JointTransit>(links);
+}
+
+}  // namespace limpet::following::internal

@@ -1,0 +1,77 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/following/links/link_guard.hpp>
+
+#include <cmath>
+
+namespace limpet::following {
+
+using kinematics::Configuration;
+using kinematics::Posture;
+
+namespace {
+
+/// The control point as a part without extent.
+GuardedPart control_part(const kinematics::Robot& robot, double least) {
+  const auto& [link, position] = robot.control_point;
+  return {{link, {position, position, 0}}, least};
+}
+
+bool is_within_limits(const Posture& posture) {
+  Eigen::Index k = 0;
+  for (const kinematics::Link& link : posture.robot().links) {
+    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
+    const double at = posture.configuration()[k++];
+    if (at < link.joint.low || at > link.joint.high) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+LinkGuard::LinkGuard(const kinematics::Robot& robot, const LinkParameters& p)
+    : robot_(&robot), own_distance_(p.own_distance), body_(kinematics::moving_body(robot, p.spared)) {
+  for (const kinematics::BodyPart& part : body_) guarded_.push_back({part, p.least_distance});
+  guarded_.push_back(control_part(robot, p.control_clearance));
+  pairs_ = kinematics::pairs_to_keep_apart(robot, body_);
+}
+
+bool LinkGuard::is_clear(const Posture& posture, const Obstacles& obstacles) const {
+  if (!is_within_limits(posture)) return false;
+  for (const auto& [i, j] : pairs_)
+    if (kinematics::distance_between(in_world(body_[i], posture), in_world(body_[j], posture)) <
+        own_distance_)
+      return false;
+  for (const auto& [part, least] : guarded_)
+    if (obstacles.distance(kinematics::in_world(part, posture), least) < least) return false;
+  return true;
+}
+
+bool LinkGuard::keeps(const Posture& posture, const Configuration& changes,
+                      const Obstacles& obstacles) const {
+  return keeps_apart(posture, changes, body_, pairs_, own_distance_) &&
+         keeps_clear(posture, changes, obstacles, guarded_);
+}
+
+Configuration LinkGuard::longest(const Posture& posture, Configuration changes,
+                                 const Obstacles& obstacles) const {
+  constexpr int kHalvings = 6;
+  for (int i = 0; i <= kHalvings; ++i, changes /= 2)
+    if (keeps(posture, changes, obstacles)) return changes;
+  return Configuration::Zero(changes.size());
+}
+
+bool LinkGuard::connects(const Configuration& from, const Configuration& to,
+                         const Obstacles& obstacles) const {
+  constexpr double kPiece = 0.15;  // the bounds on motions are loose beyond
+  const Configuration way = to - from;
+  const int pieces = 1 + static_cast<int>(way.norm() / kPiece);
+  // The middle first: where something is in the way, it seldom is next to an end.
+  if (pieces > 1 && !is_clear(Posture(*robot_, from + way / 2), obstacles)) return false;
+  for (int i = 0; i < pieces; ++i) {
+    const Posture posture(*robot_, from + way * (static_cast<double>(i) / pieces));
+    if (!keeps(posture, way / pieces, obstacles)) return false;
+  }
+  return true;
+}
+
+}  // namespace limpet::following

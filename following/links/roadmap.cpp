@@ -1,0 +1,124 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/following/links/roadmap.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace limpet::following {
+
+using kinematics::Configuration;
+using kinematics::Joint;
+using kinematics::Posture;
+
+double Roadmap::steps(const Configuration& a, const Configuration& b) const {
+  double prismatic2 = 0, revolute2 = 0;
+  Eigen::Index k = 0;
+  for (const kinematics::Link& link : guard_.robot().links) {
+    if (link.joint.kind == Joint::Kind::fixed) continue;
+    const double change = a[k] - b[k];
+    ++k;
+    (link.joint.kind == Joint::Kind::prismatic ? prismatic2 : revolute2) += change * change;
+  }
+  const kinematics::Ceilings& ceilings = guard_.robot().ceilings;
+  return std::max(std::sqrt(prismatic2) / ceilings.prismatic, std::sqrt(revolute2) / ceilings.revolute_rad);
+}
+
+std::vector<std::size_t> Roadmap::nearest(const Configuration& at, std::size_t most) const {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) order.emplace_back(steps(nodes_[i].at, at), i);
+  const std::size_t count = std::min(most, order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end());
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < count; ++i) result.push_back(order[i].second);
+  return result;
+}
+
+Roadmap::Link* Roadmap::find(std::size_t from, std::size_t to) {
+  const auto link =
+      std::find_if(links_[from].begin(), links_[from].end(), [&](const Link& l) { return l.to == to; });
+  return link == links_[from].end() ? nullptr : &*link;
+}
+
+void Roadmap::link(std::size_t a, std::size_t b) {
+  if (a == b || find(a, b)) return;
+  const double length = steps(nodes_[a].at, nodes_[b].at);
+  links_[a].push_back({b, length});
+  links_[b].push_back({a, length});
+}
+
+std::size_t Roadmap::add(const Configuration& at) {
+  nodes_.push_back({at, Posture(guard_.robot(), at).control_point()});
+  links_.emplace_back();
+  return nodes_.size() - 1;
+}
+
+void Roadmap::arrive(const Posture& posture, const Obstacles& obstacles) {
+  constexpr double kSame = 0.5, kNear = 4;  // steps
+  constexpr std::size_t kLooked = 4;
+  const Configuration& here = posture.configuration();
+  const std::vector<std::size_t> near = nearest(here, kLooked);
+  if (nodes_.empty()) {
+    present_ = add(here);
+    return;
+  }
+  const std::size_t before = present_;
+  if (steps(nodes_[near.front()].at, here) < kSame) {
+    present_ = near.front();
+    link(before, present_);
+    return;
+  }
+  present_ = add(here);
+  link(before, present_);
+  for (const std::size_t other : near)
+    if (other != before && steps(nodes_[other].at, here) < kNear &&
+        guard_.connects(here, nodes_[other].at, obstacles))
+      link(present_, other);
+}
+
+void Roadmap::add_way(std::size_t from, const std::vector<Configuration>& way) {
+  for (const Configuration& at : way) {
+    const std::size_t next = add(at);
+    link(from, next);
+    from = next;
+  }
+}
+
+void Roadmap::block(std::size_t node) {
+  constexpr double kDearer = 20;  // steps
+  for (Link& there : links_[node]) {
+    there.length += kDearer;
+    find(there.to, node)->length += kDearer;
+  }
+}
+
+std::vector<std::size_t> Roadmap::way_to(const std::function<bool(std::size_t)>& wanted) const {
+  std::vector<double> length(nodes_.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::size_t> before(nodes_.size(), nodes_.size());
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  if (nodes_.empty()) return {};
+  length[present_] = 0;
+  open.emplace(0, present_);
+  while (!open.empty()) {
+    const auto [so_far, node] = open.top();
+    open.pop();
+    if (so_far > length[node]) continue;
+    if (wanted(node)) {
+      std::vector<std::size_t> way;
+      for (std::size_t i = node; i != nodes_.size(); i = before[i]) way.push_back(i);
+      std::reverse(way.begin(), way.end());
+      return way;
+    }
+    for (const Link& link : links_[node]) {
+      if (so_far + link.length >= length[link.to]) continue;
+      length[link.to] = so_far + link.length;
+      before[link.to] = node;
+      open.emplace(length[link.to], link.to);
+    }
+  }
+  return {};
+}
+
+}  // namespace limpet::following

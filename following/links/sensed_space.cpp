@@ -1,0 +1,46 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/following/free_rays.hpp>
+#include <limpet/following/links/sensed_space.hpp>
+
+#include <cmath>
+
+namespace limpet::following {
+
+using Eigen::Vector3d;
+
+/// 21 bits of each index: places 2^20 cells away and more share cells.
+std::uint64_t SensedSpace::key_of(const Vector3d& place) const {
+  std::uint64_t key = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto index = static_cast<std::int64_t>(std::floor(place[axis] / cell_));
+    key = key << 21 | (static_cast<std::uint64_t>(index) & ((std::uint64_t{1} << 21) - 1));
+  }
+  return key;
+}
+
+/// Every place half a cell from the next: a line that cuts off less than that of a cell may miss it.
+void SensedSpace::add_line(const Vector3d& from, const Vector3d& to) {
+  const int pieces = 1 + static_cast<int>(2 * (to - from).norm() / cell_);
+  for (int i = 0; i <= pieces; ++i) cells_.insert(key_of(from + (to - from) * (static_cast<double>(i) / pieces)));
+}
+
+void SensedSpace::add(const Observation& seen, std::span<const kinematics::BodyPart> body, double beside) {
+  for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i) {
+    const auto sensor = seen.posture.sensor(i);
+    const double free = free_range(sensor, seen.readings, beside);
+    add_line(sensor.position, sensor.position + free * sensor.axis);
+  }
+  for (const kinematics::BodyPart& part : body) {
+    const model::Capsule capsule = kinematics::in_world(part, seen.posture);
+    add_line(capsule.a, capsule.b);
+  }
+}
+
+bool SensedSpace::holds(const model::Capsule& capsule) const {
+  const int pieces = 1 + static_cast<int>((capsule.b - capsule.a).norm() / cell_);
+  for (int i = 0; i <= pieces; ++i)
+    if (!holds(capsule.a + (capsule.b - capsule.a) * (static_cast<double>(i) / pieces))) return false;
+  return true;
+}
+
+}  // namespace limpet::following

@@ -1,0 +1,44 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <Eigen/Core>
+#include <limpet/following/links/link_guard.hpp>
+#include <limpet/kinematics/quadratic_program.hpp>
+#include <limpet/kinematics/redundancy.hpp>
+#include <vector>
+
+namespace limpet::following {
+
+/// The quadratic programme of a step: moves the control point as asked, as far as links may near what they
+/// are kept off (Faverjon & Tournassoud 1987; Kanehiro et al. 2008).
+///
+///     minimise ½ ‖J Δq − v‖² + ½ μ² ‖Δq‖² − κ z·Δq
+///     such that n·J_l Δq ≥ −ξ (d − d_s) for each part l of the body and each obstacle near it, the same for
+///     pairs of parts, and joint limits and ceilings are kept.
+class StepProgramme {
+ public:
+  /// The guard must outlive it.
+  StepProgramme(const LinkGuard&, const LinkParameters&);
+
+  /// The changes for a motion of the control point (world), within the robot's limits and ceilings, not yet
+  /// checked. Where no changes lead all of what is too near away, none of it comes nearer.
+  kinematics::Configuration changes(const kinematics::Posture&, const Eigen::Vector3d& motion,
+                                    const Obstacles&);
+
+ private:
+  void aim(const kinematics::Posture&, const Eigen::Vector3d& motion, const Eigen::VectorXd& z);
+  void bound(const kinematics::Posture&);
+  void keep_off(const kinematics::Posture&);
+  void keep_apart(const kinematics::Posture&);
+  void add_row(const Eigen::RowVectorXd& away, double distance, double least);
+  kinematics::Configuration solve();
+
+  const LinkGuard& guard_;
+  LinkParameters parameters_;
+  kinematics::QuadraticProgram problem_;
+  kinematics::QuadraticSolver solver_;
+  std::vector<kinematics::Proximity> near_;
+  std::vector<double> hold_;  ///< of each row: what is asked where all that is too near cannot be led away
+};
+
+}  // namespace limpet::following
