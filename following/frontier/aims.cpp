@@ -83,8 +83,8 @@ bool AimChooser::is_good(const model::View& view, const Clearance& clearance, co
 
 /// What is near a place that is out of reach is taken to be so, too.
 bool AimChooser::is_reached(const Vector3d& place) {
-  constexpr double kNear = 0.5;  // λ
-  constexpr std::size_t kMostAsked = 6;
+  constexpr double kNear = 0.7;  // λ
+  constexpr std::size_t kMostAsked = 10;
   if (!reaches_) return true;
   if (out_of_reach_.size() == kMostAsked) return false;
   const auto is_near = [&](const Vector3d& other) { return (other - place).norm() < kNear * lambda_; };

@@ -182,9 +182,12 @@ Motion FrontierFollower::go_on(const Observation& seen) {
   return {aim_->place - seen.posture.control_point(), {}, Mode::extend};
 }
 
-/// From here nothing can be aimed at: all targets near are blocked, for now.
+/// From here nothing can be aimed at: all targets near are blocked, for now. Where that was judged and not
+/// tried, to try it again would tell nothing new.
 void FrontierFollower::give_up_what_is_near() {
-  for (const Target& target : outlook_.targets) memory_.note_blocked(target.at, target.normal);
+  const int times = judge() ? internal::PlaceMemory::kBlocked : 1;
+  for (const Target& target : outlook_.targets)
+    for (int i = 0; i < times; ++i) memory_.note_blocked(target.at, target.normal);
 }
 
 /// The number of sets after which it is asked again what would close. An answer takes the longer, the more

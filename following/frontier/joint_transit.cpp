@@ -33,6 +33,7 @@ class JointTransit final : public Transit {
 
   const Roadmap::Node& node(std::size_t i) const { return roadmap_.nodes()[i]; }
   void set_way(std::vector<std::size_t> way, Mode);
+  std::vector<std::size_t> shortened(std::vector<std::size_t> way) const;
   void leave_out_what_is_passed(const Configuration& here);
 
   LinkMotion& links_;
@@ -64,8 +65,22 @@ bool JointTransit::begin_to(const Vector3d& place) {
   return is_under_way();
 }
 
+/// Without what can be left out: from each node straight to the farthest that can be gone to, of those that
+/// halve what is left again and again.
+std::vector<std::size_t> JointTransit::shortened(std::vector<std::size_t> way) const {
+  for (std::size_t i = 0; i + 2 < way.size(); ++i)
+    for (std::size_t ahead = way.size() - 1 - i; ahead > 1; ahead /= 2)
+      if (links_.guard().connects(node(way[i]).at, node(way[i + ahead]).at, links_.obstacles())) {
+        const auto first = way.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+        way.erase(first, first + static_cast<std::ptrdiff_t>(ahead) - 1);
+        break;
+      }
+  return way;
+}
+
 void JointTransit::set_way(std::vector<std::size_t> way, Mode mode) {
   constexpr long kMoreSteps = 12, kDetour = 3;
+  way = shortened(std::move(way));
   double length = 0;
   for (std::size_t i = 1; i < way.size(); ++i) length += roadmap_.steps(node(way[i - 1]).at, node(way[i]).at);
   steps_left_ = kMoreSteps + kDetour * std::lround(length);

@@ -46,6 +46,22 @@ bool LinkGuard::is_clear(const Posture& posture, const Obstacles& obstacles) con
   return true;
 }
 
+bool LinkGuard::is_no_worse(const Posture& here, const Posture& there, const Obstacles& obstacles) const {
+  for (const auto& [i, j] : pairs_) {
+    const auto apart = [&](const Posture& at) {
+      return kinematics::distance_between(in_world(body_[i], at), in_world(body_[j], at));
+    };
+    if (const double now = apart(here); now < own_distance_ && now <= apart(there)) return false;
+  }
+  for (const auto& [part, least] : guarded_) {
+    const auto away = [&](const Posture& at) {
+      return obstacles.distance(kinematics::in_world(part, at), least);
+    };
+    if (const double now = away(here); now < least && now <= away(there)) return false;
+  }
+  return is_within_limits(here);
+}
+
 bool LinkGuard::keeps(const Posture& posture, const Configuration& changes,
                       const Obstacles& obstacles) const {
   return keeps_apart(posture, changes, body_, pairs_, own_distance_) &&

@@ -54,7 +54,8 @@ void LinkMotion::look(const Observation& seen) {
 
 Configuration LinkMotion::changes(const Vector3d& motion) {
   if (!is_checked()) return by_thesis(motion);
-  const Configuration changes = by_programme(*posture_, motion);
+  const Configuration changes =
+      guard_.longest(*posture_, programme_.changes(*posture_, motion, *obstacles_), *obstacles_);
   if (!changes.isZero() || guard_.is_clear(*posture_, *obstacles_)) return changes;
   return way_out();
 }
@@ -67,9 +68,6 @@ Configuration LinkMotion::by_thesis(const Vector3d& motion) {
       *posture_, kinematics::redundant_changes(*posture_, motion, z, parameters_.objective.gain));
 }
 
-Configuration LinkMotion::by_programme(const Posture& posture, const Vector3d& motion) {
-  return guard_.longest(posture, programme_.changes(posture, motion, *obstacles_), *obstacles_);
-}
 
 Configuration LinkMotion::towards(const Configuration& there) const {
   const Configuration way = there - posture_->configuration();
@@ -103,8 +101,10 @@ bool LinkMotion::reaches(const Vector3d& place) {
   while (left > kThere * parameters_.resolution) {
     Vector3d motion = place - posture.control_point();
     if (left > parameters_.max_step) motion *= parameters_.max_step / left;
-    const Configuration changes = by_programme(posture, motion);
-    posture = Posture(guard_.robot(), posture.configuration() + changes);
+    const Configuration changes = programme_.changes(posture, motion, *obstacles_);
+    const Posture there(guard_.robot(), posture.configuration() + changes);
+    if (!guard_.is_no_worse(there, posture, *obstacles_)) return false;
+    posture = there;
     const double left_then = (place - posture.control_point()).norm();
     if (--steps < 0 || left_then > left - 0.2 * motion.norm()) return false;
     left = left_then;

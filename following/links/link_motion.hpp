@@ -55,13 +55,13 @@ class LinkMotion {
   kinematics::Configuration changes(const Eigen::Vector3d& motion);
   /// The longest step straight towards a configuration that is clear; none: zero. Precondition: is_checked().
   kinematics::Configuration towards(const kinematics::Configuration&) const;
-  /// Would such changes, one after the other, bring the control point to this place in a few steps more than
-  /// its way takes, by what is known now? Always, where nothing is checked.
+  /// Would such changes, one after the other and without halving, bring the control point to this place in a
+  /// few steps more than its way takes, by what is known now? Only where steps end is looked at. Always, where
+  /// nothing is checked.
   bool reaches(const Eigen::Vector3d& place);
 
  private:
   kinematics::Configuration by_thesis(const Eigen::Vector3d& motion);
-  kinematics::Configuration by_programme(const kinematics::Posture&, const Eigen::Vector3d& motion);
   kinematics::Configuration way_out() const;
 
   LinkParameters parameters_;

@@ -56,7 +56,7 @@ std::size_t Roadmap::add(const Configuration& at) {
 
 void Roadmap::arrive(const Posture& posture, const Obstacles& obstacles) {
   constexpr double kSame = 0.5, kNear = 4;  // steps
-  constexpr std::size_t kLooked = 4;
+  constexpr std::size_t kLooked = 3;
   const Configuration& here = posture.configuration();
   const std::vector<std::size_t> near = nearest(here, kLooked);
   if (nodes_.empty()) {
