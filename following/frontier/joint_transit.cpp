@@ -33,6 +33,8 @@ class JointTransit final : public Transit {
 
   const Roadmap::Node& node(std::size_t i) const { return roadmap_.nodes()[i]; }
   void set_way(std::vector<std::size_t> way, Mode);
+  bool go_round(const Observation&);
+  bool is_stopped(const Configuration& here);
   std::vector<std::size_t> shortened(std::vector<std::size_t> way) const;
   void leave_out_what_is_passed(const Configuration& here);
 
@@ -42,6 +44,8 @@ class JointTransit final : public Transit {
   std::vector<std::size_t> way_;  ///< nodes, the next one last
   long steps_left_ = 0;           ///< until the goal is given up
   int stops_ = 0;                 ///< since the last way that arrived
+  std::size_t leg_ = 0;           ///< the next node, at the last look
+  double left_ = 0;               ///< steps to it then
 };
 
 void JointTransit::arrive(const Observation& seen) {
@@ -95,13 +99,40 @@ std::vector<Vector3d> JointTransit::way() const {
   return places;
 }
 
-Travel::Progress JointTransit::look(const Observation&, bool has_moved) {
+/// Has the last motion not brought it nearer to the next node?
+bool JointTransit::is_stopped(const Configuration& here) {
+  constexpr double kLeast = 0.1;  // steps
+  const double left = roadmap_.steps(node(way_.back()).at, here);
+  const bool is_stopped = leg_ == way_.back() && left > left_ - kLeast;
+  leg_ = way_.back(), left_ = left;
+  return is_stopped;
+}
+
+/// A new way, from here to the goal or to a node on the way there.
+bool JointTransit::go_round(const Observation& seen) {
+  roadmap_.arrive_exactly(seen.posture);
+  std::vector<Configuration> ends;
+  for (const std::size_t i : {std::size_t{0}, way_.size() / 2, way_.size() - 1})
+    if (ends.empty() || ends.back() != node(way_[i]).at) ends.push_back(node(way_[i]).at);
+  std::erase_if(ends, [&](const Configuration& end) {
+    return !links_.guard().is_clear(kinematics::Posture(links_.guard().robot(), end), links_.obstacles());
+  });
+  const auto plan = plan_from(roadmap_.present(), ends, links_, roadmap_);
+  if (!plan) return false;
+  const std::size_t goal = way_.front();
+  roadmap_.add_way(plan->from, plan->after);
+  set_way(roadmap_.way_to([&](std::size_t i) { return i == goal; }), mode_);
+  return is_under_way();
+}
+
+Travel::Progress JointTransit::look(const Observation& seen, bool) {
   constexpr int kStops = 6;
-  if (!has_moved) roadmap_.block(way_.back()), ++stops_;
+  const bool stopped = is_stopped(seen.posture.configuration());
+  if (stopped) roadmap_.block(way_.back()), ++stops_;
   const bool is_hopeless = stops_ >= kStops || --steps_left_ <= 0;
   if (is_hopeless) stops_ = 0;
-  return is_hopeless ? Travel::Progress::hopeless
-                     : has_moved ? Travel::Progress::good : Travel::Progress::stopped;
+  if (is_hopeless) return Travel::Progress::hopeless;
+  return stopped && !go_round(seen) ? Travel::Progress::stopped : Travel::Progress::good;
 }
 
 /// Straight to the farthest node of the way, of the next few, that can be gone to.

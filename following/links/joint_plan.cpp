@@ -47,20 +47,16 @@ class Planner {
   Planner(const LinkMotion& links, const Roadmap& roadmap, bool only_sensed)
       : links_(links), roadmap_(roadmap), only_sensed_(only_sensed) {}
 
-  std::optional<JointPlan> plan(const Configuration& goal) {
-    constexpr std::size_t kRoots = 40;
+  std::optional<JointPlan> plan(const std::vector<std::size_t>& roots, const Configuration& goal) {
     constexpr int kSamples = 150;
     Tree from, to;
-    for (const std::size_t node : roadmap_.nearest(goal, kRoots))
-      from.nodes.push_back({roadmap_.nodes()[node].at, kNone, node});
+    for (const std::size_t node : roots) from.nodes.push_back({roadmap_.nodes()[node].at, kNone, node});
     to.nodes.push_back({goal, kNone, 0});
     if (only_sensed_ && !is_allowed(goal)) return std::nullopt;
     if (const std::size_t met = grow(from, goal); is_at(from, met, goal)) return joined(from, met, to, 0);
     Tree *grown = &from, *other = &to;
     for (int i = 1; i <= kSamples; ++i, std::swap(grown, other)) {
-      const Configuration sample =
-          spread_over(links_.guard().robot(), internal::halton(i, goal.size()));
-      const std::size_t fresh = grow_a_piece(*grown, sample);
+      const std::size_t fresh = grow_a_piece(*grown, sample(i, grown->nodes.front().at));
       if (fresh == kNone) continue;
       const Configuration at = grown->nodes[fresh].at;
       const std::size_t met = grow(*other, at);
@@ -72,6 +68,13 @@ class Planner {
 
  private:
   static constexpr double kPiece = 0.4;  // rad, or lengths
+
+  Configuration sample(int i, const Configuration& about) const {
+    constexpr double kAbout = 0.6;
+    const Eigen::VectorXd unit = internal::halton(i, about.size());
+    if (i % 4 < 2) return spread_over(links_.guard().robot(), unit);
+    return about + kAbout * (unit.array() * 2 - 1).matrix();
+  }
 
   static bool is_at(const Tree& tree, std::size_t node, const Configuration& at) {
     return node != kNone && tree.nodes[node].at == at;
@@ -145,9 +148,19 @@ class Planner {
 
 std::optional<JointPlan> plan_to(const std::vector<Configuration>& goals, const LinkMotion& links,
                                  const Roadmap& roadmap) {
+  constexpr std::size_t kRoots = 40;
   for (const bool only_sensed : {true, false})
     for (const Configuration& goal : goals)
-      if (auto plan = Planner(links, roadmap, only_sensed).plan(goal)) return plan;
+      if (auto plan = Planner(links, roadmap, only_sensed).plan(roadmap.nearest(goal, kRoots), goal))
+        return plan;
+  return std::nullopt;
+}
+
+std::optional<JointPlan> plan_from(std::size_t node, const std::vector<Configuration>& goals,
+                                   const LinkMotion& links, const Roadmap& roadmap) {
+  for (const bool only_sensed : {true, false})
+    for (const Configuration& goal : goals)
+      if (auto plan = Planner(links, roadmap, only_sensed).plan({node}, goal)) return plan;
   return std::nullopt;
 }
 

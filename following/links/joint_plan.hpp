@@ -20,8 +20,12 @@ struct JointPlan {
 /// bounded effort. The same calls give the same answer.
 ///
 /// Two trees that grow towards each other (Kuffner & LaValle 2000, RRT-Connect), the one from the roadmap's
-/// nodes that are nearest to the goal; places from Halton's sequence.
+/// nodes that are nearest to the goal; places from Halton's sequence, all over the joints' ranges and about
+/// both ends in turn.
 std::optional<JointPlan> plan_to(const std::vector<kinematics::Configuration>& goals, const LinkMotion&,
                                  const Roadmap&);
+/// The same from this node alone.
+std::optional<JointPlan> plan_from(std::size_t node, const std::vector<kinematics::Configuration>& goals,
+                                   const LinkMotion&, const Roadmap&);
 
 }  // namespace limpet::following

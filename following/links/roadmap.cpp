@@ -77,9 +77,19 @@ void Roadmap::arrive(const Posture& posture, const Obstacles& obstacles) {
       link(present_, other);
 }
 
+void Roadmap::arrive_exactly(const Posture& posture) {
+  if (!nodes_.empty() && nodes_[present_].at == posture.configuration()) return;
+  const std::size_t before = present_;
+  present_ = add(posture.configuration());
+  link(before, present_);
+}
+
 void Roadmap::add_way(std::size_t from, const std::vector<Configuration>& way) {
   for (const Configuration& at : way) {
-    const std::size_t next = add(at);
+    const auto same =
+        std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& node) { return node.at == at; });
+    const std::size_t next =
+        same == nodes_.end() ? add(at) : static_cast<std::size_t>(same - nodes_.begin());
     link(from, next);
     from = next;
   }
