@@ -28,8 +28,8 @@ void say_choice(const FollowArguments& args, const FollowSetup& setup) {
 }
 
 RunHead head_of(const FollowSetup& setup) {
-  return {geometry::arithmetic(), setup.strategy, setup.seed,         setup.model,
-          setup.following,        setup.robot,    setup.world.initial};
+  return {geometry::arithmetic(), setup.strategy, setup.seed,  setup.model,
+          setup.following,        setup.links,    setup.robot, setup.world.initial};
 }
 
 RunSet set_of(const FollowStep& step) {

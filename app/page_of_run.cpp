@@ -43,6 +43,12 @@ std::vector<model::Capsule> body_of(const kinematics::Posture& posture) {
   return body;
 }
 
+std::unique_ptr<following::Follower> follower_of(const RunHead& head) {
+  std::unique_ptr<following::LinkMotion> links;
+  if (head.links) links = std::make_unique<following::LinkMotion>(head.robot, *head.links);
+  return following::make_follower(head.strategy, head.following, std::move(links));
+}
+
 /// What there is of each set beside the model.
 struct SetArrays {
   std::vector<std::uint8_t> mode;
@@ -105,7 +111,7 @@ RunPlayer::RunPlayer(const std::string& path, std::int64_t sets, const PageOptio
       model_(model_before(reader_.head())),
       progress_("playing", sets, options.quiet),
       reasons_every_(1 + sets / kMostReasons) {
-  if (with_intent) follower_ = following::make_follower(reader_.head().strategy, reader_.head().following);
+  if (with_intent) follower_ = follower_of(reader_.head());
   if (options.truth) truth_.emplace(*options.truth);
 }
 

@@ -25,6 +25,7 @@ struct RunHead {
   std::uint64_t seed = 1;
   model::Parameters model;
   following::Parameters following;
+  std::optional<following::LinkParameters> links;  ///< none: the robot has no links that are kept off
   kinematics::Robot robot;
   std::vector<model::InitialFace> initial;
 };

@@ -65,7 +65,21 @@ following::Strategy read_strategy(RunFields& fields) {
   return thesis ? following::Strategy::thesis : following::Strategy::frontier;
 }
 
-following::Parameters read_following(RunFields& fields) {
+/// What else there is of them follows from the parameters of following.
+following::LinkParameters read_links(RunFields& fields, const following::Parameters& p) {
+  const bool thesis = fields.one_of({"programme", "thesis"}) == "thesis";
+  following::LinkParameters links = following::usual_link_parameters(
+      p, thesis ? following::Redundancy::thesis : following::Redundancy::programme);
+  links.objective.gain = fields.real();
+  const auto exponent = fields.integer<std::int64_t>();
+  links.objective.influence = fields.real();
+  if (exponent < 1 || exponent > 1000) fields.fail("g must be from 1 to 1000");
+  links.objective.exponent = static_cast<int>(exponent);
+  if (!(links.objective.influence > 0)) fields.fail("√(2 d₀) must be more than 0");
+  return links;
+}
+
+void read_following(RunFields& fields, RunHead& head) {
   following::Parameters p;
   fields.line("follow");
   p.resolution = fields.real(), p.angle_rad = fields.real();
@@ -74,9 +88,10 @@ following::Parameters read_following(RunFields& fields) {
   if (period < 0 || period > 1'000'000'000) fields.fail("a progress period like that makes no sense");
   p.progress_period = static_cast<int>(period);
   p.sensing_range = fields.real();
+  if (fields.optional("links")) head.links = read_links(fields, p);
   fields.done();
   require(fields, [&] { require_sound(p); });
-  return p;
+  head.following = p;
 }
 
 kinematics::Joint::Kind read_kind(RunFields& fields) {
@@ -178,7 +193,7 @@ RunHead read_head(RunFields& fields) {
   fields.done();
   head.model = read_model(fields);
   head.strategy = read_strategy(fields);
-  head.following = read_following(fields);
+  read_following(fields, head);
   head.robot = read_robot(fields);
   head.initial = read_initial(fields);
   require(fields, [&] { model_before(head); });

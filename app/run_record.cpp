@@ -50,17 +50,18 @@ std::string model_lines(const model::Parameters& p) {
          Line("rules").word(p.rules.to_string()).end();
 }
 
-std::string following_lines(const following::Parameters& p, following::Strategy strategy) {
-  return Line("strategy").word(strategy == following::Strategy::thesis ? "thesis" : "frontier").end() +
-         Line("follow")
-             .real(p.resolution)
-             .real(p.angle_rad)
-             .real(p.follow_distance)
-             .real(p.max_step)
-             .real(p.stray_limit)
-             .integer(p.progress_period)
-             .real(p.sensing_range)
-             .end();
+std::string following_lines(const RunHead& head) {
+  const following::Parameters& p = head.following;
+  Line line("follow");
+  line.real(p.resolution).real(p.angle_rad).real(p.follow_distance).real(p.max_step).real(p.stray_limit);
+  line.integer(p.progress_period).real(p.sensing_range);
+  if (head.links) {
+    line.word("links").word(head.links->redundancy == following::Redundancy::thesis ? "thesis" : "programme");
+    line.real(head.links->objective.gain).integer(head.links->objective.exponent);
+    line.real(head.links->objective.influence);
+  }
+  const bool thesis = head.strategy == following::Strategy::thesis;
+  return Line("strategy").word(thesis ? "thesis" : "frontier").end() + line.end();
 }
 
 std::string_view kind_of(const kinematics::Joint& joint) {
@@ -106,7 +107,7 @@ std::string initial_lines(const std::vector<model::InitialFace>& faces) {
 std::string head_lines(const RunHead& head) {
   return std::string(kRunMagic) + std::string(kRunFormat) + "\n" +
          Line("arithmetic").word(head.arithmetic).end() + Line("seed").integer(head.seed).end() +
-         model_lines(head.model) + following_lines(head.following, head.strategy) + robot_lines(head.robot) +
+         model_lines(head.model) + following_lines(head) + robot_lines(head.robot) +
          initial_lines(head.initial);
 }
 

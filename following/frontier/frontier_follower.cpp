@@ -10,9 +10,9 @@
 #include "aims_internal.hpp"
 #include "open_edge_map_internal.hpp"
 #include "place_memory_internal.hpp"
-#include "space_hash_internal.hpp"
+#include <limpet/following/space_hash_internal.hpp>
 #include "targets_internal.hpp"
-#include "transit_internal.hpp"
+#include <limpet/following/transit/transit_internal.hpp>
 
 namespace limpet::following {
 namespace {

@@ -10,7 +10,7 @@
 #include <limpet/model/outcome.hpp>
 #include <limpet/model/view.hpp>
 
-#include "space_hash_internal.hpp"
+#include <limpet/following/space_hash_internal.hpp>
 
 namespace limpet::following::internal {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "space_hash_internal.hpp"
+#include <limpet/following/space_hash_internal.hpp>
 
 namespace limpet::following::internal {
 

@@ -1,5 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <algorithm>
+#include <utility>
 
 #include "marks_internal.hpp"
 
@@ -16,6 +17,18 @@ void Completeness::take(const Changes& changes) {
   }
   for (const SegmentId id : changes.gone_segments())
     unreachable_segments_.erase(id), segments_tried_again_.erase(id);
+}
+
+std::vector<Completeness::NewMark> Completeness::take_new_marks() {
+  std::vector<NewMark> marks;
+  for (const EdgeId id : std::exchange(new_edges_, {})) marks.push_back({id, {}});
+  for (const SegmentId id : std::exchange(new_segments_, {})) marks.push_back({{}, id});
+  return marks;
+}
+
+void Completeness::take_back(const NewMark& mark) {
+  unreachable_edges_.erase(mark.edge);
+  unreachable_segments_.erase(mark.segment);
 }
 
 void Completeness::came_closest(const model::View::Nearest& closest) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <vector>
 
 #include <limpet/following/follower.hpp>
 #include <limpet/model/model.hpp>
@@ -25,9 +26,19 @@ class Completeness {
   /// Drops what is known of edges and segments that are gone, and counts a step.
   void take(const Changes&);
 
-  void mark_unreachable(geometry::EdgeId id) { unreachable_edges_.insert(id); }
+  void mark_unreachable(geometry::EdgeId id) { unreachable_edges_.insert(id), new_edges_.push_back(id); }
   void mark_unclosable(geometry::EdgeId id) { unclosable_edges_.insert(id); }
-  void mark_unreachable(model::SegmentId id) { unreachable_segments_.insert(id); }
+  void mark_unreachable(model::SegmentId id) {
+    unreachable_segments_.insert(id), new_segments_.push_back(id);
+  }
+
+  /// What was marked unreachable since the last call, edges before segments.
+  struct NewMark {
+    geometry::EdgeId edge;  ///< none: the segment
+    model::SegmentId segment;
+  };
+  std::vector<NewMark> take_new_marks();
+  void take_back(const NewMark&);
 
   /// The control point has come closest to this segment, and edge if any. If it was marked unreachable it is
   /// tried once more; literally done each time (thesis §3.4.2), this would never end.
@@ -51,6 +62,8 @@ class Completeness {
   std::set<geometry::EdgeId> unreachable_edges_, unclosable_edges_, edges_tried_again_;
   std::set<geometry::EdgeId> closing_;  ///< finishing would close them
   std::set<model::SegmentId> unreachable_segments_, segments_tried_again_;
+  std::vector<geometry::EdgeId> new_edges_;  ///< marked since take_new_marks()
+  std::vector<model::SegmentId> new_segments_;
   std::int64_t asked_ = 0;
   int steps_ = 0;  ///< since the model was asked
   static constexpr int kLeastPatience = 100;

@@ -4,6 +4,10 @@
 #include <limits>
 #include <limpet/following/thesis/control_point_motion.hpp>
 #include <limpet/following/thesis/thesis_follower.hpp>
+#include <limpet/following/transit/transit_internal.hpp>
+#include <memory>
+#include <optional>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -52,6 +56,18 @@ std::array<std::array<Vector3d, 2>, 2> sides_of(const Slices& slices, const mode
   return {side(point - along), side(point + along)};
 }
 
+/// At δ over what a mark is about: an edge's middle, or the point of a segment nearest to the control point.
+std::optional<Vector3d> place_over(const Situation& now, const Completeness::NewMark& mark) {
+  const auto edge = now.view.edge(mark.edge);
+  const auto segment = now.view.segment(mark.edge && edge ? edge->segment : mark.segment);
+  if (!segment) return std::nullopt;
+  const double distance = now.parameters.follow_distance;
+  if (mark.edge) return (edge->from + edge->to) / 2 + distance * segment->plane.normal;
+  const auto nearest =
+      now.view.nearest(now.at, std::numeric_limits<double>::infinity(), {.only = segment->id});
+  return nearest->at + distance * segment->plane.normal;
+}
+
 class ThesisFollower final : public Follower {
  public:
   ThesisFollower(const Parameters& p, std::unique_ptr<LinkMotion> links)
@@ -68,9 +84,13 @@ class ThesisFollower final : public Follower {
     pursuit_.take(changes);
     pursuit_.progress.step(seen.posture);
     if (now.closest) pursuit_.completeness.came_closest(*now.closest);
+    if (LinkMotion* links = judge(); links && !transit_) transit_ = internal::make_joint_transit(*links);
+    if (transit_) transit_->arrive(seen);
+    if (const auto on_the_way = go_on_repositioning(seen)) return *on_the_way;
     if (pursuit_.progress.stands_still(10)) return {Vector3d::Zero(), {}, mode_, End::stopped};
     for (;;) {
       const Decision decision = decide(now);
+      if (begin_repositioning(now)) return transit_->next(seen);
       if (const auto* direction = std::get_if<Direction>(&decision)) return motion(now, *direction);
       if (const auto* end = std::get_if<End>(&decision)) return {Vector3d::Zero(), {}, mode_, reason(*end)};
       enter(std::get<Mode>(decision), now);
@@ -78,6 +98,9 @@ class ThesisFollower final : public Follower {
   }
 
  private:
+  std::optional<Motion> go_on_repositioning(const Observation&);
+  bool begin_repositioning(const Situation&);
+
   /// The motion modes, each of which decides on a direction or on a switch of mode (Figure 38).
   Decision decide(const Situation& now) {
     switch (mode_) {
@@ -145,7 +168,43 @@ class ThesisFollower final : public Follower {
   CurrentEdge edge_;
   PointFollowing point_;
   GapFollowing gap_;
+  std::unique_ptr<Transit> transit_;  ///< none: motions are not judged
+  bool is_repositioning_ = false;
+  std::set<geometry::EdgeId> tried_edges_;
+  std::set<model::SegmentId> tried_segments_;
 };
+
+/// Once for each, what cannot be reached by following is reached, if it can be, by another way (thesis
+/// §3.4.7, §5.2).
+bool ThesisFollower::begin_repositioning(const Situation& now) {
+  const auto marks = pursuit_.completeness.take_new_marks();
+  if (!transit_) return false;
+  for (const Completeness::NewMark& mark : marks) {
+    const bool is_edge = static_cast<bool>(mark.edge);
+    if (!(is_edge ? tried_edges_.insert(mark.edge).second : tried_segments_.insert(mark.segment).second))
+      continue;
+    const auto place = place_over(now, mark);
+    if (!place || !transit_->begin_to(*place)) continue;
+    pursuit_.completeness.take_back(mark);
+    return is_repositioning_ = true;
+  }
+  return false;
+}
+
+/// Arrived, or stopped for good, following begins anew from there.
+std::optional<Motion> ThesisFollower::go_on_repositioning(const Observation& seen) {
+  if (!transit_ || !is_repositioning_) return std::nullopt;
+  if (transit_->is_under_way() && transit_->look(seen, true) == Travel::Progress::good)
+    return transit_->next(seen);
+  transit_->stop();
+  is_repositioning_ = false;
+  mode_ = Mode::current_surface;
+  surface_.begin();
+  pursuit_.clear_edge();
+  pursuit_.follow = {};
+  pursuit_.progress.restart(0);
+  return std::nullopt;
+}
 
 Intent ThesisFollower::intent(const model::View& view) const {
   Intent intent;

@@ -121,8 +121,15 @@ kinematics::Robot small_arm() {
   return robot;
 }
 
+/// With an objective other than the usual one.
+following::LinkParameters some_links() {
+  auto links = following::usual_link_parameters({}, following::Redundancy::thesis);
+  links.objective = {1234.5, 3, 0.125};
+  return links;
+}
+
 void write_arm_run(const std::string& path) {
-  RunHead head{"exact", following::Strategy::thesis, ~std::uint64_t{0}, {}, {}, small_arm(), {}};
+  RunHead head{"exact", following::Strategy::thesis, ~std::uint64_t{0}, {}, {}, some_links(), small_arm(), {}};
   head.model.rules = model::Rules::thesis();
   head.model.neighbours = false;
   head.model.noise_per_range2 = 1e-5;
@@ -160,6 +167,11 @@ TEST_F(RunFile, ReadAndWrittenAgainItIsTheSame) {
   EXPECT_NE(text.find("\nset - "), std::string::npos);
   EXPECT_EQ(reader.end().marks.unreachable_edges.at(0).value, 12u);
   EXPECT_EQ(reader.head().robot.links.at(5).joint.high, 2.5);
+  ASSERT_TRUE(reader.head().links);
+  EXPECT_EQ(reader.head().links->redundancy, following::Redundancy::thesis);
+  EXPECT_EQ(reader.head().links->objective.gain, 1234.5);
+  EXPECT_EQ(reader.head().links->objective.exponent, 3);
+  EXPECT_EQ(reader.head().links->objective.influence, 0.125);
   EXPECT_EQ(replay(path("arm.run")).code, 1);
 }
 

@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <gtest/gtest.h>
 
-#include <limpet/following/frontier/detour_internal.hpp>
+#include <limpet/following/transit/detour_internal.hpp>
 #include <string>
 
 #include "initial_model.hpp"

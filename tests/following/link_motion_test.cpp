@@ -68,8 +68,8 @@ TEST(LinkMotion, TheProgrammeKeepsLinksOffWhateverIsAsked) {
     const Vector3d way = robots::random_axis(random);
     for (int step = 0; step < 40; ++step, ++steps) {
       const Posture posture(robot, at);
-      const Observation seen{model, {}, posture, {}};
-      const Configuration changes = motion.changes(seen, 0.05 * way);
+      motion.look({model, {}, posture, {}});
+      const Configuration changes = motion.changes(0.05 * way);
       EXPECT_LE(changes.norm(), robot.ceilings.revolute_rad * (1 + 1e-12));
       const auto start = least_distances(robot, body, model.view(), at, 0 * changes, 1);
       const auto least = least_distances(robot, body, model.view(), at, changes, 20);
@@ -98,7 +98,8 @@ TEST(LinkMotion, FarFromEverythingBothMoveTheControlPointAsAsked) {
       const Posture posture(robot, at);
       LinkMotion motion(robot, usual_link_parameters(usual_parameters(0.05), redundancy));
       const Vector3d wanted = 0.02 * robots::random_axis(random);
-      const Configuration changes = motion.changes({nothing, {}, posture, {}}, wanted);
+      motion.look({nothing, {}, posture, {}});
+      const Configuration changes = motion.changes(wanted);
       const Vector3d made = posture.jacobian() * changes;
       EXPECT_GT(made.dot(wanted), 0.5 * made.norm() * wanted.norm());
       if (changes.norm() < 0.9 * robot.ceilings.revolute_rad) {
@@ -121,11 +122,11 @@ TEST(LinkMotion, ReadingsAreObstaclesAtOnce) {
   const std::vector<model::SensorPoint> readings = {{Vector3d(0.2, 0, 0.7), Vector3d::UnitX()}};
   for (int step = 0; step < 30; ++step) {
     const Posture posture(robot, at);
-    at += motion.changes({nothing, {}, posture, step == 0 ? readings : std::vector<model::SensorPoint>{}},
-                         Vector3d(0.05, 0, 0));
+    motion.look({nothing, {}, posture, step == 0 ? readings : std::vector<model::SensorPoint>{}});
+    at += motion.changes(Vector3d(0.05, 0, 0));
   }
-  EXPECT_LE(at[0], 0.2 - 0.01 - 0.06 + 1e-3);
-  EXPECT_GT(at[0], 0.1) << "it comes as near as it may";
+  EXPECT_LE(at[0], 0.2 - 0.01 - 0.1 + 1e-3);
+  EXPECT_GT(at[0], 0.07) << "it comes as near as it may";
 }
 
 TEST(LinkMotion, TheSameCallsGiveTheSameChanges) {
@@ -139,7 +140,8 @@ TEST(LinkMotion, TheSameCallsGiveTheSameChanges) {
     Configuration now = at;
     for (int i = 0; i < 20; ++i) {
       const Posture posture(robot, now);
-      now += motion.changes({model, {}, posture, {}}, Vector3d(0.01, 0.02, -0.03));
+      motion.look({model, {}, posture, {}});
+      now += motion.changes(Vector3d(0.01, 0.02, -0.03));
     }
     return now;
   };

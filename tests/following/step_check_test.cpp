@@ -45,14 +45,12 @@ TEST(StepCheck, IsNeverWrongAboutAWayThatIsNotClear) {
     const Posture posture(robot, at);
     Configuration changes(at.size());
     for (double& x : changes) x = random.uniform(-0.2, 0.2);
-    RecentReadings readings;
-    const std::vector<model::SensorPoint> set = {{robots::random_vector(random, 1), Vector3d::UnitX()}};
-    readings.add(set);
+    const std::vector<Vector3d> readings = {robots::random_vector(random, 1)};
     std::vector<GuardedPart> parts;
     const auto body = kinematics::moving_body(robot, 0);
     for (const auto& part : body) parts.push_back({part, random.uniform(0.02, 0.2)});
     const model::View view = model.view();
-    const Obstacles obstacles(view, readings, body, posture, 2);
+    const Obstacles obstacles(view, readings, 0);
     const bool says = keeps_clear(posture, changes, obstacles, parts);
     ++(says ? clear : refused);
 
@@ -60,9 +58,9 @@ TEST(StepCheck, IsNeverWrongAboutAWayThatIsNotClear) {
     for (const GuardedPart& guarded : parts) {
       const auto distance = [&](double t) {
         const auto capsule = kinematics::in_world(guarded.part, Posture(robot, at + t * changes));
-        double least = (readings.positions()[0] - capsule.a).norm();
+        double least = (readings[0] - capsule.a).norm();
         for (double s = 0; s <= 1; s += 0.01)  // another way to the same distance, a little too large
-          least = std::min(least, (readings.positions()[0] - capsule.a - s * (capsule.b - capsule.a)).norm());
+          least = std::min(least, (readings[0] - capsule.a - s * (capsule.b - capsule.a)).norm());
         least -= capsule.radius;
         if (const auto near = view.nearest(capsule, 1)) least = std::min(least, near->distance);
         return least;
@@ -89,7 +87,7 @@ TEST(StepCheck, WhatIsTooNearMayLeave) {
   const auto body = kinematics::moving_body(robot, 0);
   const std::vector<GuardedPart> parts = {{body[0], 0.1}};
   const model::View view = model.view();
-  const Obstacles obstacles(view, {}, body, posture, 1);
+  const Obstacles obstacles(view, {}, 0);
   const auto keeps = [&](double by) {
     return keeps_clear(posture, Configuration::Constant(1, by), obstacles, parts);
   };

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limpet/following/frontier/travel_internal.hpp>
+#include <limpet/following/transit/travel_internal.hpp>
 #include <string>
 
 #include "initial_model.hpp"

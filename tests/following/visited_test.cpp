@@ -1,7 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <gtest/gtest.h>
 
-#include <limpet/following/frontier/visited_internal.hpp>
+#include <limpet/following/transit/visited_internal.hpp>
 
 #include "initial_model.hpp"
 #include "random_places.hpp"

@@ -6,7 +6,7 @@
 #include <limpet/model/view.hpp>
 #include <vector>
 
-#include "space_hash_internal.hpp"
+#include <limpet/following/space_hash_internal.hpp>
 
 namespace limpet::following::internal {
 
