@@ -53,8 +53,9 @@ void require_sound(const Parameters& p) {
 }
 
 std::string_view name_of(Mode mode) {
-  constexpr std::string_view kNames[] = {
-      "none", "current surface", "current segment", "current edge", "point", "gap", "extend", "travel", "reposition"};
+  constexpr std::string_view kNames[] = {"none",         "current surface", "current segment",
+                                         "current edge", "point",           "gap",
+                                         "extend",       "travel",          "reposition"};
   return kNames[static_cast<std::size_t>(mode)];
 }
 

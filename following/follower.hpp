@@ -28,8 +28,8 @@ enum class Mode {
   current_edge,
   point,
   gap,
-  extend,  ///< frontier: a position from which rays meet targets near open edges
-  travel,  ///< frontier: back over positions visited before, to targets elsewhere
+  extend,     ///< frontier: a position from which rays meet targets near open edges
+  travel,     ///< frontier: back over positions visited before, to targets elsewhere
   reposition  ///< to another configuration, over a way planned in joint space (thesis §3.4.7)
 };
 inline constexpr std::size_t kModeCount = 9;

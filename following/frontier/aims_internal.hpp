@@ -1,10 +1,10 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <functional>
 #include <limpet/following/clearance.hpp>
 #include <limpet/following/parameters.hpp>
 #include <limpet/kinematics/posture.hpp>
-#include <functional>
 #include <limpet/model/view.hpp>
 #include <optional>
 #include <vector>
@@ -29,8 +29,8 @@ class AimChooser {
   /// Can the robot take its control point to a place?
   using Reaches = std::function<bool(const Eigen::Vector3d& place)>;
 
-  /// `step`: how far the control point moves in one step. `reaches`: asked about few of the best places; none:
-  /// it reaches all.
+  /// `step`: how far the control point moves in one step. `reaches`: asked about few of the best places;
+  /// none: it reaches all.
   AimChooser(const Parameters& parameters, const kinematics::Posture&, double step, Reaches reaches = {});
 
   /// The best aim that the control point can go to in a straight line, with some room to spare if there is

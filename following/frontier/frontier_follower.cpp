@@ -7,12 +7,12 @@
 #include <optional>
 #include <utility>
 
+#include <limpet/following/space_hash_internal.hpp>
+#include <limpet/following/transit/transit_internal.hpp>
 #include "aims_internal.hpp"
 #include "open_edge_map_internal.hpp"
 #include "place_memory_internal.hpp"
-#include <limpet/following/space_hash_internal.hpp>
 #include "targets_internal.hpp"
-#include <limpet/following/transit/transit_internal.hpp>
 
 namespace limpet::following {
 namespace {
@@ -173,8 +173,7 @@ void FrontierFollower::close_aim(const Vector3d& here, bool has_moved) {
 /// The next step to the best aim near by.
 Motion FrontierFollower::go_on(const Observation& seen) {
   internal::AimChooser::Reaches reaches;
-  if (LinkMotion* links = judge())
-    reaches = [links](const Vector3d& place) { return links->reaches(place); };
+  if (LinkMotion* links = judge()) reaches = [links](const Vector3d& place) { return links->reaches(place); };
   internal::AimChooser chooser(parameters(), seen.posture, step(seen), reaches);
   aim_ = chooser.choose(seen.model.view(), clearance(), outlook_.targets, *planes_);
   if (!aim_) return {};
@@ -212,7 +211,8 @@ bool FrontierFollower::begin_travel(const Observation& seen) {
     leave_what_would_close(seen);
     if (transit_->begin(wanted)) return true;
   }
-  while (const auto given = open_.nearest_wanted_of_initial(seen.posture.control_point(), seen.model.view())) {
+  while (const auto given =
+             open_.nearest_wanted_of_initial(seen.posture.control_point(), seen.model.view())) {
     if (transit_->begin_to(*given)) return true;
     open_.give_up(*given, aiming_reach());
   }

@@ -85,8 +85,7 @@ class Planner {
   }
 
   bool connects(const Configuration& a, const Configuration& b) const {
-    return is_allowed(b) && is_allowed((a + b) / 2) &&
-           links_.guard().connects(a, b, links_.obstacles());
+    return is_allowed(b) && is_allowed((a + b) / 2) && links_.guard().connects(a, b, links_.obstacles());
   }
 
   /// A piece of the way from the nearest node to a sample; kNone: it is not clear.

@@ -24,8 +24,7 @@ class LinkGuard {
   bool is_clear(const kinematics::Posture&, const Obstacles&) const;
   /// Are the limits and all distances kept here that are kept there, and is nothing nearer that is too near
   /// there? What lies between is not asked about.
-  bool is_no_worse(const kinematics::Posture& here, const kinematics::Posture& there,
-                   const Obstacles&) const;
+  bool is_no_worse(const kinematics::Posture& here, const kinematics::Posture& there, const Obstacles&) const;
   /// Are all distances kept on the whole way, straight in joint space (keeps_clear(), keeps_apart())? Limits
   /// are not asked about.
   bool keeps(const kinematics::Posture&, const kinematics::Configuration& changes, const Obstacles&) const;

@@ -47,8 +47,7 @@ void LinkMotion::look(const Observation& seen) {
   readings_.look(view, seen.readings);
   sensed_.add(seen, guard_.body(), parameters_.resolution);
   posture_.emplace(seen.posture);
-  obstacles_.emplace(view, readings_.positions(),
-                     parameters_.reading_distance - parameters_.least_distance);
+  obstacles_.emplace(view, readings_.positions(), parameters_.reading_distance - parameters_.least_distance);
   clearance_ = obstacles_->clearance(*posture_, guard_.body(), parameters_.objective.influence);
 }
 
@@ -64,10 +63,9 @@ Configuration LinkMotion::by_thesis(const Vector3d& motion) {
   std::vector<kinematics::Proximity> near;
   obstacles_->nearest_of_links(*posture_, guard_.body(), parameters_.objective.influence, near);
   const Eigen::VectorXd z = kinematics::reconfiguration(*posture_, near, parameters_.objective);
-  return kinematics::limited(
-      *posture_, kinematics::redundant_changes(*posture_, motion, z, parameters_.objective.gain));
+  return kinematics::limited(*posture_,
+                             kinematics::redundant_changes(*posture_, motion, z, parameters_.objective.gain));
 }
-
 
 Configuration LinkMotion::towards(const Configuration& there) const {
   const Configuration way = there - posture_->configuration();

@@ -56,8 +56,8 @@ class LinkMotion {
   /// The longest step straight towards a configuration that is clear; none: zero. Precondition: is_checked().
   kinematics::Configuration towards(const kinematics::Configuration&) const;
   /// Would such changes, one after the other and without halving, bring the control point to this place in a
-  /// few steps more than its way takes, by what is known now? Only where steps end is looked at. Always, where
-  /// nothing is checked.
+  /// few steps more than its way takes, by what is known now? Only where steps end is looked at. Always,
+  /// where nothing is checked.
   bool reaches(const Eigen::Vector3d& place);
 
  private:

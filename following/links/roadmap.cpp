@@ -88,8 +88,7 @@ void Roadmap::add_way(std::size_t from, const std::vector<Configuration>& way) {
   for (const Configuration& at : way) {
     const auto same =
         std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& node) { return node.at == at; });
-    const std::size_t next =
-        same == nodes_.end() ? add(at) : static_cast<std::size_t>(same - nodes_.begin());
+    const std::size_t next = same == nodes_.end() ? add(at) : static_cast<std::size_t>(same - nodes_.begin());
     link(from, next);
     from = next;
   }

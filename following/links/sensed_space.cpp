@@ -21,7 +21,8 @@ std::uint64_t SensedSpace::key_of(const Vector3d& place) const {
 /// Every place half a cell from the next: a line that cuts off less than that of a cell may miss it.
 void SensedSpace::add_line(const Vector3d& from, const Vector3d& to) {
   const int pieces = 1 + static_cast<int>(2 * (to - from).norm() / cell_);
-  for (int i = 0; i <= pieces; ++i) cells_.insert(key_of(from + (to - from) * (static_cast<double>(i) / pieces)));
+  for (int i = 0; i <= pieces; ++i)
+    cells_.insert(key_of(from + (to - from) * (static_cast<double>(i) / pieces)));
 }
 
 void SensedSpace::add(const Observation& seen, std::span<const kinematics::BodyPart> body, double beside) {

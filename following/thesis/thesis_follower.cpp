@@ -87,6 +87,7 @@ class ThesisFollower final : public Follower {
     if (LinkMotion* links = judge(); links && !transit_) transit_ = internal::make_joint_transit(*links);
     if (transit_) transit_->arrive(seen);
     if (const auto on_the_way = go_on_repositioning(seen)) return *on_the_way;
+    if (transit_ && pursuit_.progress.stands_still(2) && begin_elsewhere(now)) return transit_->next(seen);
     if (pursuit_.progress.stands_still(10)) return {Vector3d::Zero(), {}, mode_, End::stopped};
     for (;;) {
       const Decision decision = decide(now);
@@ -100,6 +101,7 @@ class ThesisFollower final : public Follower {
  private:
   std::optional<Motion> go_on_repositioning(const Observation&);
   bool begin_repositioning(const Situation&);
+  bool begin_elsewhere(const Situation&);
 
   /// The motion modes, each of which decides on a direction or on a switch of mode (Figure 38).
   Decision decide(const Situation& now) {
@@ -187,6 +189,25 @@ bool ThesisFollower::begin_repositioning(const Situation& now) {
     if (!place || !transit_->begin_to(*place)) continue;
     pursuit_.completeness.take_back(mark);
     return is_repositioning_ = true;
+  }
+  return false;
+}
+
+/// Where the robot cannot move: to the nearest edge that is incomplete and can be reached by another way.
+bool ThesisFollower::begin_elsewhere(const Situation& now) {
+  constexpr int kMostTried = 8;
+  std::vector<model::View::Edge> edges;
+  now.view.open_edges(edges);
+  std::erase_if(edges, [&](const auto& edge) {
+    return pursuit_.completeness.is_complete(edge) || tried_edges_.count(edge.id) > 0;
+  });
+  const auto distance = [&](const auto& edge) { return ((edge.from + edge.to) / 2 - now.at).norm(); };
+  std::stable_sort(edges.begin(), edges.end(),
+                   [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  for (std::size_t i = 0, tried = 0; i < edges.size() && tried < kMostTried; ++i, ++tried) {
+    tried_edges_.insert(edges[i].id);
+    const auto place = place_over(now, {edges[i].id, {}});
+    if (place && transit_->begin_to(*place)) return is_repositioning_ = true;
   }
   return false;
 }

@@ -12,6 +12,7 @@ namespace limpet::following {
 /// end the run; what is unreachable is tried once more when the control point comes closest to it, not each
 /// time; an edge that finishing the model would close is complete; and no place is visited without end.
 /// Throws std::invalid_argument when the parameters are not sound.
-std::unique_ptr<Follower> make_thesis_follower(const Parameters&, std::unique_ptr<LinkMotion> links = nullptr);
+std::unique_ptr<Follower> make_thesis_follower(const Parameters&,
+                                               std::unique_ptr<LinkMotion> links = nullptr);
 
 }  // namespace limpet::following

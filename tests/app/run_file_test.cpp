@@ -129,7 +129,8 @@ following::LinkParameters some_links() {
 }
 
 void write_arm_run(const std::string& path) {
-  RunHead head{"exact", following::Strategy::thesis, ~std::uint64_t{0}, {}, {}, some_links(), small_arm(), {}};
+  RunHead head{"exact", following::Strategy::thesis, ~std::uint64_t{0}, {}, {}, some_links(), small_arm(),
+               {}};
   head.model.rules = model::Rules::thesis();
   head.model.neighbours = false;
   head.model.noise_per_range2 = 1e-5;
