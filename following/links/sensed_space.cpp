@@ -18,9 +18,14 @@ std::uint64_t SensedSpace::key_of(const Vector3d& place) const {
   return key;
 }
 
-/// Every place half a cell from the next: a line that cuts off less than that of a cell may miss it.
+int SensedSpace::pieces_of(const Vector3d& from, const Vector3d& to) const {
+  return 1 + static_cast<int>((to - from).norm() / cell_);
+}
+
+/// Every place half a cell from the next: a line that cuts off less than that of a cell may miss it. Twice as
+/// many places as are asked about, so that what was added is held.
 void SensedSpace::add_line(const Vector3d& from, const Vector3d& to) {
-  const int pieces = 1 + static_cast<int>(2 * (to - from).norm() / cell_);
+  const int pieces = 2 * pieces_of(from, to);
   for (int i = 0; i <= pieces; ++i)
     cells_.insert(key_of(from + (to - from) * (static_cast<double>(i) / pieces)));
 }
@@ -38,7 +43,7 @@ void SensedSpace::add(const Observation& seen, std::span<const kinematics::BodyP
 }
 
 bool SensedSpace::holds(const model::Capsule& capsule) const {
-  const int pieces = 1 + static_cast<int>((capsule.b - capsule.a).norm() / cell_);
+  const int pieces = pieces_of(capsule.a, capsule.b);
   for (int i = 0; i <= pieces; ++i)
     if (!holds(capsule.a + (capsule.b - capsule.a) * (static_cast<double>(i) / pieces))) return false;
   return true;

@@ -28,6 +28,7 @@ class SensedSpace {
  private:
   std::uint64_t key_of(const Eigen::Vector3d&) const;
   void add_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+  int pieces_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
   double cell_;
   std::unordered_set<std::uint64_t> cells_;

@@ -10,7 +10,7 @@
 #include <limpet/model/model.hpp>
 #include <string>
 
-#include "../kinematics/robots.hpp"
+#include "links_scene.hpp"
 
 namespace limpet::following {
 namespace {
@@ -18,17 +18,6 @@ namespace {
 using Eigen::Vector3d;
 using kinematics::Configuration;
 using kinematics::Posture;
-namespace robots = kinematics::testing;
-
-/// A square of side 2 around a place, facing somewhere.
-void add_square(model::Model& model, survey::Random& random, const Vector3d& about) {
-  Eigen::Isometry3d pose = robots::random_pose(random);
-  pose.translation() = about;
-  std::vector<Vector3d> cycle;
-  for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
-    cycle.push_back(pose * Vector3d(x, y, 0));
-  model.add_initial(std::vector<model::InitialFace>{{{cycle}}});
-}
 
 /// The distance of each part from the model, as far as `reach`, along some places of a way.
 std::vector<double> least_distances(const kinematics::Robot& robot,
@@ -127,6 +116,38 @@ TEST(LinkMotion, ReadingsAreObstaclesAtOnce) {
   }
   EXPECT_LE(at[0], 0.2 - 0.01 - 0.1 + 1e-3);
   EXPECT_GT(at[0], 0.07) << "it comes as near as it may";
+}
+
+/// What is judged to be reached is reached, as long as nothing new is sensed.
+TEST(LinkMotion, WhatItReachesItReaches) {
+  survey::Random random(12);
+  const kinematics::Robot robot = kinematics::arm();
+  const LinkParameters links = usual_link_parameters(usual_parameters(0.05), Redundancy::programme);
+  int yes = 0, no = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    Configuration at = bent(random);
+    model::Model model(model::Parameters{});
+    const Vector3d here = Posture(robot, at).control_point();
+    for (int i = 0; i < 3; ++i) add_square(model, random, here + robots::random_vector(random, 1));
+    LinkMotion motion(robot, links);
+    const Vector3d place = here + 0.2 * robots::random_axis(random);
+    const Posture start(robot, at);
+    motion.look({model, {}, start, {}});
+    if (!motion.reaches(place)) {
+      ++no;
+      continue;
+    }
+    ++yes;
+    for (int step = 0; step < 12; ++step) {
+      const Posture posture(robot, at);
+      motion.look({model, {}, posture, {}});
+      const Vector3d way = place - posture.control_point();
+      at += motion.changes(way.norm() > 0.1 ? Vector3d(0.1 * way.normalized()) : way);
+    }
+    EXPECT_LT((Posture(robot, at).control_point() - place).norm(), 0.01) << "trial " << trial;
+  }
+  EXPECT_GT(yes, 10);
+  EXPECT_GT(no, 5);
 }
 
 TEST(LinkMotion, TheSameCallsGiveTheSameChanges) {
