@@ -107,7 +107,7 @@ void read_initial(const TomlSection& file, WorldDescription& out) {
 }
 
 void read_robot(const TomlSection& file, SceneRobot& out) {
-  const auto robot = file.section("robot", {"kind", "file", "avoidance", "sensing_range", "ceiling",
+  const auto robot = file.section("robot", {"kind", "file", "avoidance", "object", "sensing_range", "ceiling",
                                             "ceiling_deg", "heading", "heading_deg"});
   if (!robot) return;
   robot->require_one({"kind", "file"}, false);
@@ -120,6 +120,11 @@ void read_robot(const TomlSection& file, SceneRobot& out) {
     if (*avoidance != "programme" && *avoidance != "thesis")
       robot->fail("avoidance", robot->called("avoidance") + " must be \"programme\" or \"thesis\"");
     out.avoidance = *avoidance == "thesis" ? following::Redundancy::thesis : following::Redundancy::programme;
+  }
+  if (const auto object = robot->text("object")) {
+    if (*object != "on_ground" && *object != "in_reach")
+      robot->fail("object", robot->called("object") + " must be \"in_reach\" or \"on_ground\"");
+    out.object_place = *object == "on_ground" ? ObjectPlace::on_ground : ObjectPlace::in_reach;
   }
   out.sensing_range = robot->number("sensing_range", Numbers::positive);
   out.ceiling = robot->number("ceiling", Numbers::positive);
