@@ -18,7 +18,8 @@ constexpr double kDegree = 0.017453292519943295;
 SceneFile scene_of(const FollowArguments& args) {
   SceneFile scene = read_scene(args.scene);
   if (!args.robot.empty()) scene.robot.kind = args.robot;
-  scene.robot.package_paths = args.package_paths;
+  scene.robot.package_paths.insert(scene.robot.package_paths.begin(), args.package_paths.begin(),
+                                   args.package_paths.end());
   if (args.avoidance) scene.robot.avoidance = args.avoidance;
   if (args.resolution) scene.parameters.resolution = args.resolution;
   if (args.angle_deg) scene.parameters.angle_rad = *args.angle_deg * kDegree;
