@@ -58,10 +58,33 @@ double distance_of_axes(const model::Capsule& p, const model::Capsule& q) {
   return least;
 }
 
-bool are_made_apart(const Robot& robot, const Part& p, const Part& q, const Posture& posture) {
-  const auto &one = robot.links[p.link], &other = robot.links[q.link];
-  if (p.link == q.link || one.parent == q.link || other.parent == p.link) return false;
-  return distance_of_axes(in_world(p, posture), in_world(q, posture)) > p.capsule.radius + q.capsule.radius;
+/// The first link of the rigid body, of links with fixed joints between them, that a link is part of.
+std::size_t rigid_body_of(const Robot& robot, std::size_t link) {
+  while (robot.links[link].joint.kind == kinematics::Joint::Kind::fixed && robot.links[link].parent)
+    link = *robot.links[link].parent;
+  return link;
+}
+
+bool are_one_or_joined(const Robot& robot, std::size_t link, std::size_t other) {
+  const std::size_t one = rigid_body_of(robot, link), two = rigid_body_of(robot, other);
+  const auto is_on = [&](std::size_t body, std::size_t carrier) {
+    const auto& parent = robot.links[body].parent;
+    return parent && rigid_body_of(robot, *parent) == carrier;
+  };
+  return one == two || is_on(one, two) || is_on(two, one);
+}
+
+bool overlap(const Part& p, const Part& q, const Posture& posture) {
+  return distance_of_axes(in_world(p, posture), in_world(q, posture)) <= p.capsule.radius + q.capsule.radius;
+}
+
+/// All joints at 0, or at the limit nearest to it.
+Configuration at_rest(const Robot& robot) {
+  std::vector<double> positions;
+  for (const auto& link : robot.links)
+    if (link.joint.kind != kinematics::Joint::Kind::fixed)
+      positions.push_back(std::max(link.joint.low, std::min(0.0, link.joint.high)));
+  return Eigen::Map<Configuration>(positions.data(), std::ssize(positions));
 }
 
 /// The smallest distances, and of which links.
@@ -118,10 +141,12 @@ LinkWatch::LinkWatch(const Robot& robot, const TrueSurface& truth, double finene
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     if (is_moved_by_a_joint(robot, i))
       for (const model::Capsule& capsule : robot.links[i].body) parts.push_back({i, capsule});
-  const Posture posture(robot, first);
+  const Posture beginning(robot, first), rest(robot, at_rest(robot));
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = i + 1; j < parts.size(); ++j)
-      if (are_made_apart(robot, parts[i], parts[j], posture)) pairs.emplace_back(i, j);
+      if (!are_one_or_joined(robot, parts[i].link, parts[j].link) &&
+          !overlap(parts[i], parts[j], beginning) && !overlap(parts[i], parts[j], rest))
+        pairs.emplace_back(i, j);
 }
 
 LinkWatch::~LinkWatch() = default;

@@ -27,8 +27,8 @@ struct LinkClearance {
 /// Measures steps of all links that a joint moves, as link_clearance() does, one by one while they are made.
 class LinkWatch {
  public:
-  /// The robot and the truth must outlive it. Links that overlap in the configuration `first` are taken to be
-  /// made so.
+  /// The robot and the truth must outlive it. Links that overlap in the configuration `first`, or when
+  /// all joints are at rest (at 0, or at the limit nearest to it), are taken to be made so.
   LinkWatch(const kinematics::Robot&, const TrueSurface& truth, double fineness,
             const kinematics::Configuration& first);
   ~LinkWatch();
@@ -46,8 +46,9 @@ class LinkWatch {
 
 /// Measures all links that a joint moves along a way that is straight in joint space from each configuration
 /// to the next. Looks at places on the way between which no part moves more than `fineness`: to_surface and
-/// to_itself are too large by half of that at most. Links that overlap in the first configuration are taken
-/// to be made so.
+/// to_itself are too large by half of that at most. What touches by the robot's make
+/// is not looked at: parts of one rigid body or of two that a joint joins, and what overlaps in the first
+/// configuration or when all joints are at rest.
 LinkClearance link_clearance(const kinematics::Robot&, std::span<const kinematics::Configuration> way,
                              const TrueSurface& truth, double fineness);
 
