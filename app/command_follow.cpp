@@ -3,6 +3,7 @@
 // `limpet follow`: a simulated robot feels an object until its model is complete.
 #include <chrono>
 #include <cstdio>
+#include <limpet/app/collision_case.hpp>
 #include <limpet/app/commands.hpp>
 #include <limpet/app/follow_judgement.hpp>
 #include <limpet/app/follow_result.hpp>
@@ -15,6 +16,7 @@
 #include <limpet/model/view.hpp>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace limpet::app {
 namespace {
@@ -47,14 +49,36 @@ std::string note_on(const FollowStep& step) {
          std::string(following::name_of(step.motion.mode));
 }
 
+struct Input {
+  std::string role, path;
+};
+
+std::vector<Input> inputs_of(const FollowArguments& args, const SceneFile& scene) {
+  std::vector<Input> inputs{{"SCENE", args.scene},
+                            {"the scene's image", scene.world.image},
+                            {"the initial faces", scene.world.initial_mesh}};
+  if (scene.world.mesh != args.scene) inputs.push_back({"the scene's mesh", scene.world.mesh});
+  const std::string robot = scene.robot.kind.value_or("point");
+  if (robot != "point" && robot != "arm")
+    inputs.push_back({args.robot.empty() ? "the scene's robot" : "--robot", robot});
+  return inputs;
+}
+
 void require_files(const FollowArguments& args, const SceneFile& scene) {
   FileRoles files = outputs_of(args);
-  files.reads("SCENE", args.scene);
-  if (scene.world.mesh != args.scene) files.reads("the scene's mesh", scene.world.mesh);
-  files.reads("the scene's image", scene.world.image);
-  files.reads("the initial faces", scene.world.initial_mesh);
-  if (args.robot != "point" && args.robot != "arm") files.reads("--robot", args.robot);
+  for (const auto& [role, path] : inputs_of(args, scene)) files.reads(role, path);
   files.require_apart();
+}
+
+/// Says what the robot has run into, and leaves a scene that comes to it again.
+void tell_collision(const FollowArguments& args, const SceneFile& scene, const Collision& collision,
+                    Outputs& outputs) {
+  std::vector<std::string> taken = args.models;
+  taken.insert(taken.end(), {args.json, args.record});
+  for (const Input& input : inputs_of(args, scene)) taken.push_back(input.path);
+  const std::string path = case_path(args.models.front(), taken);
+  outputs.attempt(path, [&] { save_text(path, case_text(scene, collision, path)); });
+  std::fprintf(stderr, "limpet: %s; %s comes to it again\n", text_of(collision).c_str(), path.c_str());
 }
 
 /// Records a run as long as that goes well: the run does not end because its record cannot be written.
@@ -93,7 +117,8 @@ int run(const FollowArguments& args) {
   if (!args.replay.empty()) return run_again(args);
   const SceneFile scene = scene_of(args);
   require_files(args, scene);
-  const FollowSetup setup = make_setup(scene);
+  FollowSetup setup = make_setup(scene);
+  setup.end_at_collision = !args.count_collisions;
   say_choice(args, setup);
   catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
@@ -114,6 +139,7 @@ int run(const FollowArguments& args) {
   progress.clear();
   recorder.end(summary.run);
   save_models(args, follow.model(), summary.run.ended == "interrupted", sets, outputs);
+  if (summary.run.collision) tell_collision(args, scene, *summary.run.collision, outputs);
   judge.judge_model(follow.model(), sets);
   if (setup.world.truth) summary.truth = judge_by_truth(setup, summary.run, follow.model());
   summary.links = judge_links(setup, summary.run);

@@ -67,10 +67,11 @@ struct FollowArguments {
   std::optional<RedundancyArgument> redundancy;
   std::optional<std::int64_t> max_sets;
   std::optional<std::uint64_t> seed;
-  std::int64_t check_every = 0;  ///< sets; 0: the final model only
-  std::string record;            ///< where to record the run; empty: nowhere
-  std::string replay;            ///< a recorded run to model again, instead of a scene
-  std::string page;              ///< a page of limpet view, to link to in what is said; empty: no links
+  std::int64_t check_every = 0;   ///< sets; 0: the final model only
+  std::string record;             ///< where to record the run; empty: nowhere
+  std::string replay;             ///< a recorded run to model again, instead of a scene
+  bool count_collisions = false;  ///< a collision does not end the run
+  std::string page;               ///< a page of limpet view, to link to in what is said; empty: no links
   std::string json;
   bool quiet = false;
 };

@@ -39,7 +39,11 @@ FollowRun::FollowRun(const FollowSetup& setup)
       model_(begin(setup)),
       follower_(following::make_follower(setup.strategy, setup.following, links_of(setup))),
       sensing_(*setup.world.world, setup.errors),
-      watch_(setup.following.resolution, setup.robot.sensors.size()) {}
+      watch_(setup.following.resolution, setup.robot.sensors.size()) {
+  if (setup.end_at_collision && setup.world.truth)
+    collisions_.emplace(setup.robot, *setup.world.truth, setup.links.has_value(),
+                        setup.following.resolution / 5);
+}
 
 FollowOutcome FollowRun::go(const std::function<void(const FollowStep&)>& look) {
   FollowOutcome outcome;
@@ -102,6 +106,7 @@ std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(co
     if (motion.end == following::End::no_surface)
       throw UsageError("no surface is within sensing range of the start; give another --start");
     look({sensed, seen, motion, *follower_, outcome.path.back()});
+    if (collisions_ && (outcome.collision = collisions_->look(at))) return "collision";
     if (motion.end != following::End::none) return std::string(following::name_of(motion.end));
     ++outcome.steps_in_mode[static_cast<std::size_t>(motion.mode)];
     at += motion.changes;

@@ -6,11 +6,13 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <limpet/app/collision_watch.hpp>
 #include <limpet/app/follow_setup.hpp>
 #include <limpet/following/follower.hpp>
 #include <limpet/following/sensor_watch.hpp>
 #include <limpet/model/model.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +29,9 @@ struct FollowStep {
 
 /// What a run has come to. Times are of each set, in microseconds.
 struct FollowOutcome {
-  std::string ended;                           ///< complete, max-sets, max-seconds, interrupted or stopped
-  std::vector<Eigen::Vector3d> path;           ///< where the control point truly was at each set
+  std::string ended;                   ///< complete, max-sets, max-seconds, interrupted, stopped or collision
+  std::optional<Collision> collision;  ///< that ended it
+  std::vector<Eigen::Vector3d> path;   ///< where the control point truly was at each set
   std::vector<kinematics::Configuration> way;  ///< and the robot; of one with links, and not in a replay
   double link_clearance =
       std::numeric_limits<double>::infinity();  ///< smallest, to the model and to readings
@@ -45,7 +48,8 @@ class FollowRun {
   /// The setup must outlive it. Throws UsageError when the model's parameters or initial faces make no sense.
   explicit FollowRun(const FollowSetup&);
 
-  /// Steps until the follower is done, the sets or the time are used up, or the run is interrupted; and then,
+  /// Steps until the follower is done, the sets or the time are used up, the robot has collided where that is
+  /// to end the run (FollowSetup::end_at_collision), or the run is interrupted; and then,
   /// unless it was interrupted, finishes the model. look(step) is called after each set. Throws UsageError
   /// when the start senses no surface.
   FollowOutcome go(const std::function<void(const FollowStep&)>& look);
@@ -62,6 +66,7 @@ class FollowRun {
   std::unique_ptr<following::Follower> follower_;
   simulation::Sensing sensing_;
   following::SensorWatch watch_;
+  std::optional<CollisionWatch> collisions_;  ///< where they end the run
 };
 
 }  // namespace limpet::app

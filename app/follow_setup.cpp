@@ -18,7 +18,8 @@ constexpr double kDegree = 0.017453292519943295;
 SceneFile scene_of(const FollowArguments& args) {
   SceneFile scene = read_scene(args.scene);
   if (!args.robot.empty()) scene.robot.kind = args.robot;
-  scene.robot.package_paths = args.package_paths;
+  scene.robot.package_paths.insert(scene.robot.package_paths.begin(), args.package_paths.begin(),
+                                   args.package_paths.end());
   if (args.avoidance) scene.robot.avoidance = args.avoidance;
   if (args.resolution) scene.parameters.resolution = args.resolution;
   if (args.angle_deg) scene.parameters.angle_rad = *args.angle_deg * kDegree;
@@ -119,8 +120,6 @@ void place_point_robot(const SceneFile& scene, FollowSetup& setup) {
 
 /// An arm with another sensing range than what goes with λ is followed with by its own.
 void place_arm(const SceneFile& scene, FollowSetup& setup) {
-  if (!setup.world.truth)
-    throw UsageError("an arm is placed beside a mesh: a range image from a file has none");
   const RobotFile arm = arm_of(scene.robot, setup.following.resolution);
   if (arm.sensing_range <= setup.following.follow_distance)
     throw UsageError("the robot's sensors reach " + io::short_text(arm.sensing_range) +
@@ -130,13 +129,15 @@ void place_arm(const SceneFile& scene, FollowSetup& setup) {
   setup.links = following::usual_link_parameters(
       setup.following, scene.robot.avoidance.value_or(following::Redundancy::programme));
   PlacementOptions options;
+  options.object_place = scene.robot.object_place.value_or(options.object_place);
   options.follow_distance = setup.following.follow_distance;
   options.link_distance = 1.5 * setup.links->least_distance;
   options.own_distance = 2 * setup.links->own_distance;
   options.spared = setup.links->spared;
   options.start = scene.start;
+  options.posture = arm.start;
   options.seed = setup.seed;
-  ArmPlacement placement = place_beside(arm.robot, *setup.world.truth, options);
+  ArmPlacement placement = place_beside(arm.robot, setup.world, options);
   setup.robot = std::move(placement.robot);
   if (scene.robot.ceiling_rad) setup.robot.ceilings.revolute_rad = *scene.robot.ceiling_rad;
   setup.configuration = std::move(placement.start);

@@ -30,6 +30,7 @@ struct FollowSetup {
   following::Parameters following;
   following::Strategy strategy = following::Strategy::frontier;
   std::int64_t max_sets = 0;
+  bool end_at_collision = false;                                 ///< where the true surface is known
   double max_seconds = std::numeric_limits<double>::infinity();  ///< for a run that must not hang
   std::uint64_t seed = 1;
 };

@@ -32,6 +32,11 @@ std::string to_json(const FollowSummary& s) {
   json["readings"] = run.readings;
   json["points_confirmed"] = s.model.confirmed;
   json["ended"] = run.ended;
+  if (run.collision)
+    json["collision"] = {{"set", run.collision->set},
+                         {"part", run.collision->part},
+                         {"with", run.collision->with},
+                         {"depth", run.collision->depth}};
   json["closed"] = s.model.closed();
   json["polygons"] = s.model.polygons;
   json["open_edges"] = s.model.open_edges;

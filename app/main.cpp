@@ -182,6 +182,14 @@ void add_follow(CLI::App& root, Command& chosen) {
                 args->avoidance = text == "thesis" ? limpet::following::Redundancy::thesis
                                                    : limpet::following::Redundancy::programme;
               });
+  text_option(app, "--collisions", "WHAT",
+              "end (default): a touch of the true surface ends the run and leaves a scene file that comes to "
+              "it again; or count",
+              [args](const std::string& text) {
+                if (text != "end" && text != "count")
+                  throw UsageError("--collisions '" + text + "': give end or count");
+                args->count_collisions = text == "count";
+              });
   text_option(app, "--start", "X,Y,Z",
               "Where the control point begins (default: at random, near the surface)",
               [args](const std::string& text) { args->start = parse_vector("--start", text); });

@@ -59,7 +59,7 @@ struct RunReader::State {
     if (!fields.line_if_any("unclosable_edges")) return false;
     read_ids(fields, end.marks.unclosable_edges);
     if (!fields.line_if_any("end")) return false;
-    end.reason = fields.one_of({"complete", "max-sets", "interrupted", "stopped"});
+    end.reason = fields.one_of({"complete", "max-sets", "interrupted", "stopped", "collision"});
     const std::size_t promised = fields.count();
     if (promised != sets)
       fields.fail("the run had " + std::to_string(promised) + " sets, and there are " + std::to_string(sets));

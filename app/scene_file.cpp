@@ -107,8 +107,9 @@ void read_initial(const TomlSection& file, WorldDescription& out) {
 }
 
 void read_robot(const TomlSection& file, SceneRobot& out) {
-  const auto robot = file.section("robot", {"kind", "file", "avoidance", "sensing_range", "ceiling",
-                                            "ceiling_deg", "heading", "heading_deg"});
+  const auto robot =
+      file.section("robot", {"kind", "file", "package_path", "avoidance", "object", "sensing_range",
+                             "ceiling", "ceiling_deg", "heading", "heading_deg"});
   if (!robot) return;
   robot->require_one({"kind", "file"}, false);
   out.kind = robot->text("kind");
@@ -116,10 +117,17 @@ void read_robot(const TomlSection& file, SceneRobot& out) {
     robot->fail("kind",
                 robot->called("kind") + " must be \"point\" or \"arm\"; of a robot from a file give 'file'");
   if (const auto path = robot->file("file")) out.kind = path;
+  for (const std::string& name : robot->texts("package_path").value_or(std::vector<std::string>{}))
+    out.package_paths.push_back(robot->beside(name));
   if (const auto avoidance = robot->text("avoidance")) {
     if (*avoidance != "programme" && *avoidance != "thesis")
       robot->fail("avoidance", robot->called("avoidance") + " must be \"programme\" or \"thesis\"");
     out.avoidance = *avoidance == "thesis" ? following::Redundancy::thesis : following::Redundancy::programme;
+  }
+  if (const auto object = robot->text("object")) {
+    if (*object != "on_ground" && *object != "in_reach")
+      robot->fail("object", robot->called("object") + " must be \"in_reach\" or \"on_ground\"");
+    out.object_place = *object == "on_ground" ? ObjectPlace::on_ground : ObjectPlace::in_reach;
   }
   out.sensing_range = robot->number("sensing_range", Numbers::positive);
   out.ceiling = robot->number("ceiling", Numbers::positive);

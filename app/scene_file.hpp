@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <limpet/app/arguments.hpp>
+#include <limpet/app/arm_placement.hpp>
 #include <limpet/following/follower.hpp>
 #include <limpet/following/links/link_motion.hpp>
 #include <limpet/simulation/placement.hpp>
@@ -20,6 +21,7 @@ struct SceneRobot {
   /// "point", "arm", or the path of a URDF or a robot file.
   std::optional<std::string> kind;
   std::optional<following::Redundancy> avoidance;  ///< how an arm's links are kept off the surface
+  std::optional<ObjectPlace> object_place;         ///< where the object is, as seen from an arm
   std::vector<std::string> package_paths;          ///< where what the robot's file names is sought
   std::optional<double> sensing_range;             ///< scan's unit
   std::optional<double> ceiling;                   ///< γ of prismatic joints, scan's unit

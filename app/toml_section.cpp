@@ -242,13 +242,16 @@ std::optional<std::vector<std::string>> TomlSection::texts(const std::string& ke
   return values;
 }
 
+std::string TomlSection::beside(const std::string& name) const {
+  return (std::filesystem::path(inside_->path).parent_path() / name).lexically_normal().string();
+}
+
 std::optional<std::string> TomlSection::file(const std::string& key) const {
-  namespace fs = std::filesystem;
   const auto name = text(key);
   if (!name) return std::nullopt;
-  std::string found = (fs::path(inside_->path).parent_path() / *name).lexically_normal().string();
+  std::string found = beside(*name);
   std::error_code error;
-  if (name->empty() || !fs::exists(found, error))
+  if (name->empty() || !std::filesystem::exists(found, error))
     fail(key, called(key) + " names a file that is not there: " + found +
                   "; names are relative to the scene file");
   return found;

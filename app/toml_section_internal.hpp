@@ -47,6 +47,8 @@ class TomlSection {
   std::optional<std::string> text(const std::string& key) const;
   /// A text, or a list of texts.
   std::optional<std::vector<std::string>> texts(const std::string& key) const;
+  /// What a name in this file means, as seen from here.
+  std::string beside(const std::string& name) const;
   /// A file that is there; as its name is seen from here.
   std::optional<std::string> file(const std::string& key) const;
   /// So many numbers, from `least` to `most` of them.

@@ -4,22 +4,29 @@
 #include <limpet/evaluation/link_clearance.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 namespace limpet::evaluation {
+namespace internal {
+
+/// Of a link.
+struct WatchedPart {
+  std::size_t link;
+  model::Capsule capsule;  ///< in the link's frame
+};
+
+}  // namespace internal
+
 namespace {
 
 using Eigen::Vector3d;
 using kinematics::Configuration;
 using kinematics::Posture;
 using kinematics::Robot;
-
-struct Part {
-  std::size_t link;
-  model::Capsule capsule;  ///< in the link's frame
-};
+using Part = internal::WatchedPart;
 
 bool is_moved_by_a_joint(const Robot& robot, std::size_t link) {
   if (robot.links[link].joint.kind != kinematics::Joint::Kind::fixed) return true;
@@ -51,84 +58,137 @@ double distance_of_axes(const model::Capsule& p, const model::Capsule& q) {
   return least;
 }
 
-class Measuring {
- public:
-  Measuring(const Robot& robot, const TrueSurface& truth, const Configuration& first)
-      : robot_(robot), truth_(truth) {
-    for (std::size_t i = 0; i < robot.links.size(); ++i)
-      if (is_moved_by_a_joint(robot, i))
-        for (const model::Capsule& capsule : robot.links[i].body) parts_.push_back({i, capsule});
-    const Posture posture(robot, first);
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-      for (std::size_t j = i + 1; j < parts_.size(); ++j)
-        if (are_apart(parts_[i], parts_[j], posture)) pairs_.emplace_back(i, j);
-  }
+/// The first link of the rigid body, of links with fixed joints between them, that a link is part of.
+std::size_t rigid_body_of(const Robot& robot, std::size_t link) {
+  while (robot.links[link].joint.kind == kinematics::Joint::Kind::fixed && robot.links[link].parent)
+    link = *robot.links[link].parent;
+  return link;
+}
 
-  /// The smallest distances in a configuration.
-  void look(const Configuration& at) {
-    const Posture posture(robot_, at);
-    std::vector<model::Capsule> capsules;
-    for (const Part& part : parts_) capsules.push_back(in_world(part, posture));
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      const double distance = truth_.distance_along(capsules[i].a, capsules[i].b) - capsules[i].radius;
-      if (distance < surface_) surface_ = distance, link_ = parts_[i].link;
-    }
-    for (const auto& [i, j] : pairs_)
-      itself_ = std::min(
-          itself_, distance_of_axes(capsules[i], capsules[j]) - capsules[i].radius - capsules[j].radius);
-  }
-  void begin() { surface_ = itself_ = std::numeric_limits<double>::infinity(); }
-  double surface() const { return surface_; }
-  double itself() const { return itself_; }
-  std::size_t link() const { return link_; }
+bool are_one_or_joined(const Robot& robot, std::size_t link, std::size_t other) {
+  const std::size_t one = rigid_body_of(robot, link), two = rigid_body_of(robot, other);
+  const auto is_on = [&](std::size_t body, std::size_t carrier) {
+    const auto& parent = robot.links[body].parent;
+    return parent && rigid_body_of(robot, *parent) == carrier;
+  };
+  return one == two || is_on(one, two) || is_on(two, one);
+}
 
-  /// The farthest that an end of a part is from where it was.
-  double farthest(const Configuration& from, const Configuration& to) const {
-    const Posture one(robot_, from), other(robot_, to);
-    double most = 0;
-    for (const Part& part : parts_) {
-      const model::Capsule p = in_world(part, one), q = in_world(part, other);
-      most = std::max({most, (p.a - q.a).norm(), (p.b - q.b).norm()});
-    }
-    return most;
-  }
+bool overlap(const Part& p, const Part& q, const Posture& posture) {
+  return distance_of_axes(in_world(p, posture), in_world(q, posture)) <= p.capsule.radius + q.capsule.radius;
+}
 
- private:
-  bool are_apart(const Part& p, const Part& q, const Posture& posture) const {
-    const auto &one = robot_.links[p.link], &other = robot_.links[q.link];
-    if (p.link == q.link || one.parent == q.link || other.parent == p.link) return false;
-    return distance_of_axes(in_world(p, posture), in_world(q, posture)) > p.capsule.radius + q.capsule.radius;
-  }
+/// All joints at 0, or at the limit nearest to it.
+Configuration at_rest(const Robot& robot) {
+  std::vector<double> positions;
+  for (const auto& link : robot.links)
+    if (link.joint.kind != kinematics::Joint::Kind::fixed)
+      positions.push_back(std::max(link.joint.low, std::min(0.0, link.joint.high)));
+  return Eigen::Map<Configuration>(positions.data(), std::ssize(positions));
+}
 
-  const Robot& robot_;
-  const TrueSurface& truth_;
-  std::vector<Part> parts_;
-  std::vector<std::pair<std::size_t, std::size_t>> pairs_;
-  double surface_ = 0, itself_ = 0;
-  std::size_t link_ = 0;
+/// The smallest distances, and of which links.
+struct Nearest {
+  double to_surface = std::numeric_limits<double>::infinity();
+  double to_itself = std::numeric_limits<double>::infinity();
+  std::size_t link = 0;
+  std::array<std::size_t, 2> links{};
 };
 
 }  // namespace
+
+struct LinkWatch::Inside {
+  const Robot& robot;
+  const TrueSurface& truth;
+  double fineness;
+  std::vector<internal::WatchedPart> parts;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+
+  /// Takes account of one more configuration.
+  void look(const Configuration& at, Nearest& nearest) const {
+    const Posture posture(robot, at);
+    std::vector<model::Capsule> capsules;
+    for (const Part& part : parts) capsules.push_back(in_world(part, posture));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const double distance = truth.distance_along(capsules[i].a, capsules[i].b) - capsules[i].radius;
+      if (distance < nearest.to_surface) nearest.to_surface = distance, nearest.link = parts[i].link;
+    }
+    for (const auto& [i, j] : pairs) {
+      const double distance =
+          distance_of_axes(capsules[i], capsules[j]) - capsules[i].radius - capsules[j].radius;
+      if (distance < nearest.to_itself)
+        nearest.to_itself = distance, nearest.links = {parts[i].link, parts[j].link};
+    }
+  }
+
+  /// A bound on how far any point of a part gets from where it was: a turn takes it by more than its ends are
+  /// apart, by less than twice for turns up to half a circle.
+  double farthest(const Configuration& from, const Configuration& to) const {
+    const Posture one(robot, from), other(robot, to);
+    double most = 0;
+    for (const Part& part : parts) {
+      const model::Capsule p = in_world(part, one), q = in_world(part, other);
+      most = std::max({most, (p.a - q.a).norm(), (p.b - q.b).norm()});
+    }
+    return 2 * most;
+  }
+};
+
+LinkWatch::LinkWatch(const Robot& robot, const TrueSurface& truth, double fineness,
+                     const Configuration& first)
+    : inside_(new Inside{robot, truth, fineness, {}, {}}) {
+  auto& [unused, surface, fine, parts, pairs] = *inside_;
+  for (std::size_t i = 0; i < robot.links.size(); ++i)
+    if (is_moved_by_a_joint(robot, i))
+      for (const model::Capsule& capsule : robot.links[i].body) parts.push_back({i, capsule});
+  const Posture beginning(robot, first), rest(robot, at_rest(robot));
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = i + 1; j < parts.size(); ++j)
+      if (!are_one_or_joined(robot, parts[i].link, parts[j].link) &&
+          !overlap(parts[i], parts[j], beginning) && !overlap(parts[i], parts[j], rest))
+        pairs.emplace_back(i, j);
+}
+
+LinkWatch::~LinkWatch() = default;
+
+LinkClearance LinkWatch::measure(const Configuration& from, const Configuration& to) const {
+  const int pieces = 1 + static_cast<int>(std::ceil(inside_->farthest(from, to) / inside_->fineness));
+  Nearest nearest;
+  for (int k = 0; k <= pieces; ++k)
+    inside_->look(from + (to - from) * (static_cast<double>(k) / pieces), nearest);
+  LinkClearance result;
+  result.to_surface = nearest.to_surface, result.worst_link = nearest.link;
+  result.to_itself = nearest.to_itself, result.nearest_links = nearest.links;
+  result.collisions = nearest.to_surface <= 0;
+  result.self_collisions = nearest.to_itself <= 0;
+  return result;
+}
+
+std::optional<LinkClearance> LinkWatch::touched(const Configuration& from, const Configuration& to) const {
+  Nearest nearest;
+  inside_->look(from, nearest);
+  const double farthest = inside_->farthest(from, to);
+  // Two links can come towards each other, each by as much.
+  if (nearest.to_surface > farthest && nearest.to_itself > 2 * farthest) return std::nullopt;
+  LinkClearance result = measure(from, to);
+  if (result.collisions + result.self_collisions == 0) return std::nullopt;
+  return result;
+}
 
 LinkClearance link_clearance(const Robot& robot, std::span<const Configuration> way, const TrueSurface& truth,
                              double fineness) {
   LinkClearance result;
   if (way.empty()) return result;
-  Measuring measuring(robot, truth, way.front());
+  const LinkWatch watch(robot, truth, fineness, way.front());
   const std::size_t steps = std::max<std::size_t>(1, way.size() - 1);  // of one configuration, it alone
   for (std::size_t i = 0; i < steps; ++i) {
-    const Configuration& from = way[i];
-    const Configuration& to = way[std::min(i + 1, way.size() - 1)];
-    // A turn takes a point by more than its ends are apart: by less than twice, for turns up to half a
-    // circle.
-    const int pieces = 1 + static_cast<int>(std::ceil(2 * measuring.farthest(from, to) / fineness));
-    measuring.begin();
-    for (int k = 0; k <= pieces; ++k) measuring.look(from + (to - from) * (static_cast<double>(k) / pieces));
-    if (measuring.surface() < result.to_surface)
-      result.to_surface = measuring.surface(), result.worst = i, result.worst_link = measuring.link();
-    result.to_itself = std::min(result.to_itself, measuring.itself());
-    result.collisions += measuring.surface() <= 0;
-    result.self_collisions += measuring.itself() <= 0;
+    const LinkClearance step = watch.measure(way[i], way[std::min(i + 1, way.size() - 1)]);
+    if (step.to_surface < result.to_surface)
+      result.to_surface = step.to_surface, result.worst = i, result.worst_link = step.worst_link;
+    if (step.to_itself < result.to_itself)
+      result.to_itself = step.to_itself, result.nearest_links = step.nearest_links;
+    result.collisions += step.collisions;
+    result.self_collisions += step.self_collisions;
   }
   return result;
 }

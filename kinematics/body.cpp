@@ -26,14 +26,30 @@ std::vector<model::Capsule> outside_ball(const model::Capsule& capsule, const Ve
   return pieces;
 }
 
-/// The nearest link with extent that carries this one.
-std::optional<std::size_t> carrier_of(const Robot& robot, std::size_t link) {
-  std::optional<std::size_t> parent = robot.links[link].parent;
-  while (parent && robot.links[*parent].body.empty()) parent = robot.links[*parent].parent;
-  return parent;
+/// The first link of the rigid body that this one is part of: links with fixed joints between them are one.
+std::size_t body_of(const Robot& robot, std::size_t link) {
+  while (robot.links[link].joint.kind == Joint::Kind::fixed && robot.links[link].parent)
+    link = *robot.links[link].parent;
+  return link;
 }
 
-bool are_joined(const Robot& robot, std::size_t a, std::size_t b) {
+bool has_extent(const Robot& robot, std::size_t body) {
+  for (std::size_t i = body; i < robot.links.size(); ++i)
+    if (!robot.links[i].body.empty() && body_of(robot, i) == body) return true;
+  return false;
+}
+
+/// The nearest body with extent that carries this one.
+std::optional<std::size_t> carrier_of(const Robot& robot, std::size_t body) {
+  while (const auto parent = robot.links[body].parent) {
+    body = body_of(robot, *parent);
+    if (has_extent(robot, body)) return body;
+  }
+  return std::nullopt;
+}
+
+bool are_joined(const Robot& robot, std::size_t link, std::size_t other) {
+  const std::size_t a = body_of(robot, link), b = body_of(robot, other);
   return a == b || carrier_of(robot, a) == b || carrier_of(robot, b) == a;
 }
 

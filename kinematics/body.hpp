@@ -41,8 +41,9 @@ struct PairOfParts {
 };
 
 /// The pairs of parts that must not touch each other: those that do not by the robot's make. It is made so
-/// that parts of one link touch, those of links that are joined, also through links without extent, and those
-/// that overlap when all joints are at rest: at 0, or at the limit that is nearest to it.
+/// that parts of one rigid body touch (of one link, or of links with fixed joints between them), those of
+/// bodies that are joined, also through links without extent, and those that overlap when all joints are at
+/// rest: at 0, or at the limit that is nearest to it.
 std::vector<PairOfParts> pairs_to_keep_apart(const Robot&, const std::vector<BodyPart>&);
 
 /// The nearest points of the axes of two capsules, and how far the capsules are from each other.

@@ -3,7 +3,8 @@
 // How well does a simulated robot follow a surface? Every run is judged by the truth.
 //
 //     limpet_following_bench worlds [--worlds cube,L] [--noise 0,0.002] [--ceilings 1,2]
-//     limpet_following_bench table1                       range images, beside thesis Table 1
+//     limpet_following_bench table1 [--robots point,arm] [--avoidance programme,thesis]
+//                                                         range images, beside thesis Table 1
 //     limpet_following_bench parts FILE…                  mesh files, λ by the object
 //     limpet_following_bench sensitivity [--only γ,μ]     each parameter at ½ to twice its usual value
 //     limpet_following_bench faults                       poor sensors
@@ -115,7 +116,11 @@ void add_sections(CLI::App& app, Arguments& args) {
         args.plan.noise = 0;
         return measure_table1(args.plan, args.table1);
       });
+  table1->add_option("--robots", args.table1.robots)->delimiter(',')->check(CLI::IsMember({"point", "arm"}));
   table1->add_option("--strategies", args.table1.strategies)->delimiter(',');
+  table1->add_option("--avoidance", args.table1.avoidance, "how an arm's links are kept off")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"programme", "thesis"}));
   table1->add_option("--pitch", args.table1.pitch, "of the range images");
   table1->add_flag("!--no-curved", args.table1.curved);
 

@@ -84,6 +84,12 @@ void tell_judgement(const evaluation::RunJudgement& judged, double clearance, Ru
   figures.tour_path = judged.tour->path_length;
 }
 
+void tell_links(const evaluation::LinkClearance& links, double resolution, RunFigures& figures) {
+  figures.link_collisions = static_cast<std::int64_t>(links.collisions + links.self_collisions);
+  figures.link_clearance = links.to_surface / resolution;
+  figures.link_own_clearance = links.to_itself / resolution;
+}
+
 }  // namespace
 
 RunFigures measure_run(const RunCase& wanted) {
@@ -108,6 +114,8 @@ RunFigures measure_run(const RunCase& wanted) {
   const WallWatch judging;
   tell_judgement(app::judge_by_truth(setup, outcome, run.model(), wanted.tour), setup.following.clearance(),
                  figures);
+  if (const auto links = app::judge_links(setup, outcome))
+    tell_links(*links, setup.following.resolution, figures);
   figures.judge_seconds = judging.seconds();
   return figures;
 }

@@ -6,11 +6,8 @@
 #include <limpet/simulation/shapes.hpp>
 
 namespace limpet::benchmarks {
-namespace {
 
 std::string quoted(const std::string& text) { return Json(text).dump(); }
-
-}  // namespace
 
 SceneText& SceneText::set(const std::string& section, const std::string& key, double value) {
   return set_text(section, key, Json(value).dump());

@@ -25,6 +25,9 @@ class SceneText {
   std::map<std::string, std::map<std::string, std::string>> sections_;
 };
 
+/// The text as a TOML value, in quotes.
+std::string quoted(const std::string& text);
+
 /// One run to be measured: plain data, so that it can be told to a process of its own.
 struct RunCase {
   std::string name;   ///< what it is counted under

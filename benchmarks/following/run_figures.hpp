@@ -32,6 +32,10 @@ struct RunFigures {
   double reachable = 0, coverage = 0, coverage_total = 0;  ///< shares of area
   std::int64_t collisions = 0;
   double clearance = 0;  ///< smallest distance of the control point from the truth, over δ − λ
+  /// Of an arm: steps on which a link touched the surface or another link; smallest distances of links from
+  /// the surface and from each other, over λ. Of a robot without links 0.
+  std::int64_t link_collisions = 0;
+  double link_clearance = 0, link_own_clearance = 0;
   std::int64_t unreachable = 0, unclosable = 0, false_unreachable = 0;
   std::int64_t tour_sets = 0, tour_transit = 0;  ///< of the offline tour; 0: there is none
   double tour_path = 0;
@@ -47,7 +51,8 @@ struct RunFigures {
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunFigures, failed, ended, sets, polygons, open_edges, path, area, closed,
                                    isomorphic, isomorphic_reachable, reachable_throughout, reachable,
-                                   coverage, coverage_total, collisions, clearance, unreachable, unclosable,
+                                   coverage, coverage_total, collisions, clearance, link_collisions,
+                                   link_clearance, link_own_clearance, unreachable, unclosable,
                                    false_unreachable, tour_sets, tour_transit, tour_path, step, asking,
                                    update, oracle_models, violations, seconds, judge_seconds, resolution)
 

@@ -48,6 +48,7 @@ std::string fault_of(const RunFigures& f) {
   if (!f.failed.empty()) return f.failed;
   add(!f.complete(), f.ended);
   add(f.collisions > 0, std::to_string(f.collisions) + " collisions");
+  add(f.link_collisions > 0, std::to_string(f.link_collisions) + " collisions of links");
   add(f.violations > 0, std::to_string(f.violations) + " broken laws");
   add(f.false_unreachable > 0, std::to_string(f.false_unreachable) + " false marks");
   add(f.coverage < 0.995, "coverage " + std::to_string(f.coverage));

@@ -32,8 +32,10 @@ Measured measure_worlds(const RunPlan&, const WorldOptions&);
 // ---- Range images from one side, beside thesis Table 1 (table1.cpp) ---------------------------------
 
 struct Table1Options {
+  std::vector<std::string> robots{"point"};  ///< point, arm
   std::vector<std::string> strategies{"frontier", "thesis"};
-  bool curved = true;     ///< a cylinder on a block and a sphere, too
+  std::vector<std::string> avoidance{"programme"};  ///< of arms: programme, thesis
+  bool curved = true;     ///< a cylinder on a block and a sphere, too; of the point robot
   double pitch = 0.0118;  ///< of the range images; that of the thesis's Cube
 };
 Measured measure_table1(const RunPlan&, const Table1Options&);

@@ -57,6 +57,7 @@ two_sided = true
 mesh = "faces.off"
 [robot]
 kind = "point"
+object = "on_ground"
 sensing_range = 0.3
 ceiling = 0.06
 ceiling_deg = 90
@@ -94,6 +95,7 @@ encoder_noise_deg = 180
   EXPECT_TRUE(scene.world.two_sided);
   EXPECT_EQ(scene.world.initial_mesh, path("faces.off"));
   EXPECT_EQ(scene.robot.kind, "point");
+  EXPECT_EQ(scene.robot.object_place, ObjectPlace::on_ground);
   EXPECT_EQ(scene.robot.sensing_range, 0.3);
   EXPECT_EQ(scene.robot.ceiling, 0.06);
   EXPECT_DOUBLE_EQ(*scene.robot.ceiling_rad, std::acos(0.0));
@@ -194,6 +196,8 @@ TEST_F(SceneFileTest, ValuesOfTheWrongKindAreErrors) {
       "scene.toml:4: 'kind' in [robot] must be \"point\" or \"arm\"; of a robot from a file give 'file'");
   EXPECT_EQ(in("robot", "avoidance = \"none\""),
             "scene.toml:4: 'avoidance' in [robot] must be \"programme\" or \"thesis\"");
+  EXPECT_EQ(in("robot", "object = \"far\""),
+            "scene.toml:4: 'object' in [robot] must be \"in_reach\" or \"on_ground\"");
   EXPECT_EQ(in("robot", "heading = \"north\""),
             "scene.toml:4: 'heading' in [robot] must be \"random\" or [w, x, y, z]");
   EXPECT_EQ(in("robot", "heading = [0, 0, 0, 0]"),

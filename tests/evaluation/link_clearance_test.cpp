@@ -3,6 +3,7 @@
 
 #include <limpet/evaluation/link_clearance.hpp>
 #include <limpet/simulation/scene.hpp>
+#include <limpet/survey/random.hpp>
 #include <vector>
 
 namespace limpet::evaluation {
@@ -70,6 +71,31 @@ TEST(LinkClearance, LinksThatAreNotJoinedAreKeptApart) {
   EXPECT_EQ(folded.self_collisions, 1u) << "the third link crosses the first";
   EXPECT_LT(folded.to_itself, 0);
   EXPECT_EQ(link_clearance(robot, std::vector<Configuration>{fold[0]}, far, 0.005).self_collisions, 0u);
+}
+
+/// Watched step by step, just the steps that collide are told.
+TEST(LinkClearance, AWatchTellsTheStepsThatCollide) {
+  const simulation::Mesh cube = simulation::make_scene("cube").mesh;
+  const TrueSurface truth(cube);
+  const kinematics::Robot robot = rod();
+  const double low = simulation::bounds_of(cube).low.x();
+  survey::Random random(5);
+  std::vector<Configuration> places = way({low - 1});
+  for (int i = 0; i < 200; ++i) places.push_back(Configuration::Constant(1, low + random.uniform(-1, 2)));
+  const LinkWatch watch(robot, truth, 0.01, places.front());
+  std::size_t told = 0;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const LinkClearance step = watch.measure(places[i], places[i + 1]);
+    const auto touched = watch.touched(places[i], places[i + 1]);
+    ASSERT_EQ(touched.has_value(), step.collisions > 0) << places[i] << " to " << places[i + 1];
+    told += touched.has_value();
+    if (touched) {
+      EXPECT_EQ(touched->to_surface, step.to_surface);
+    }
+  }
+  EXPECT_EQ(told, link_clearance(robot, places, truth, 0.01).collisions);
+  EXPECT_GT(told, 0u);
+  EXPECT_LT(told, 200u);
 }
 
 }  // namespace

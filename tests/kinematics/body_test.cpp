@@ -52,6 +52,24 @@ TEST(Body, IsCutWhereItEntersTheBall) {
   }
 }
 
+/// Links with fixed joints between them are one body: what is joined to one of them is joined to all.
+TEST(Body, LinksThatAreFixedToEachOtherAreOneBody) {
+  Robot robot = testing::planar_arm(4);
+  for (Link& link : robot.links) link.body = {{Vector3d(0.3, 0, 0), Vector3d(0.7, 0, 0), 0.05}};
+  const auto pairs_of = [](const Robot& r) {
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    const auto body = moving_body(r, 0);
+    for (const auto& [i, j] : pairs_to_keep_apart(r, body)) pairs.emplace_back(body[i].link, body[j].link);
+    return pairs;
+  };
+  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+  EXPECT_EQ(pairs_of(robot), (Pairs{{0, 2}, {0, 3}, {1, 3}}));
+  robot.links[2].joint.kind = Joint::Kind::fixed;
+  EXPECT_EQ(pairs_of(robot), (Pairs{{0, 3}})) << "1 and 2 are one";
+  robot.links[0].body.clear();
+  EXPECT_EQ(pairs_of(robot), Pairs{});
+}
+
 /// No point of a capsule moves farther than its joints' reach says.
 TEST(Body, ReachBoundsHowFarAnyPointMoves) {
   survey::Random random(3);
