@@ -16,8 +16,9 @@ RunJudgementOptions checked(RunJudgementOptions options, const FollowingRun& run
   require(options.resolution > 0, "judging needs a linear resolution above zero");
   require(options.follow_distance > options.resolution,
           "the follow distance must be larger than the linear resolution");
-  require(options.sensing.range > 0, "the sensing range must be positive");
+  require(options.arm || options.sensing.range > 0, "the sensing range must be positive");
   require(options.spacing >= 0, "the spacing of samples must not be negative");
+  require(!options.tour || !options.arm, "there is no offline tour of an arm");
   require(!options.tour || options.ceiling > 0, "an offline tour needs a longest step above zero");
   if (options.spacing == 0) options.spacing = options.resolution / 4;
   return options;
@@ -41,7 +42,16 @@ TourOptions tour_of(const FollowingRun& run, const RunJudgementOptions& options)
   return tour;
 }
 
-void sum_up(RunJudgement& result) {
+ArmSearchOptions search_of(const RunJudgementOptions& options) {
+  ArmSearchOptions search;
+  search.resolution = options.resolution;
+  search.control_clearance = options.follow_distance - options.resolution;
+  search.least_cosine = options.sensing.least_cosine;
+  search.samples = options.arm_samples;
+  return search;
+}
+
+void take_figures(RunJudgement& result) {
   result.coverage = result.covered.of_reachable;
   result.coverage_total = result.covered.of_all;
   result.reachable_share = result.reachability.share;
@@ -61,18 +71,23 @@ RunJudgement judge_run(const simulation::Mesh& truth, const FollowingRun& run,
   const RunJudgementOptions options = checked(wanted, run);
   const double resolution = options.resolution;
   const TrueSurface surface(truth);
-  const FreeSpace space(surface, simulation::bounds_of(truth), space_of(run, options));
+  std::optional<FreeSpace> space;
   RunJudgement result;
   result.sets = run.path.size();
-  result.reachability = find_reachable(truth, surface, space, options.sensing, options.spacing);
+  if (options.arm) {
+    result.reachability = find_reachable(truth, surface, *options.arm, search_of(options)).reachability;
+  } else {
+    space.emplace(surface, simulation::bounds_of(truth), space_of(run, options));
+    result.reachability = find_reachable(truth, surface, *space, options.sensing, options.spacing);
+  }
   result.covered = coverage_of(planar_faces(run.model), result.reachability, resolution);
   result.clearance = clearance_of(run.path, surface);
   result.marks = false_unreachable(run.marks, result.reachability, result.covered, resolution);
   result.topology = judge_reachable_topology(run.model, truth, result.reachability, resolution);
-  sum_up(result);
+  take_figures(result);
   if (options.tour)
     result.tour =
-        offline_tour(truth, surface, space, result.reachability, options.sensing, tour_of(run, options));
+        offline_tour(truth, surface, *space, result.reachability, options.sensing, tour_of(run, options));
   return result;
 }
 

@@ -1,0 +1,48 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#pragma once
+
+#include <limpet/evaluation/arm_roadmap.hpp>
+#include <limpet/evaluation/arm_space_internal.hpp>
+#include <limpet/survey/random.hpp>
+#include <span>
+#include <vector>
+
+namespace limpet::evaluation {
+
+/// Grows a roadmap of a robot's clear configurations.
+class ArmPlanner {
+ public:
+  using Node = ArmRoadmap::Node;
+
+  /// The space must outlive it. If the start is not clear nothing is joined to it.
+  ArmPlanner(const ArmSpace&, const kinematics::Configuration& start, survey::Random&);
+
+  const ArmRoadmap& roadmap() const { return roadmap_; }
+  ArmRoadmap take() { return std::move(roadmap_); }
+
+  /// Adds configurations that are known to follow each other, thinned: every one that is clear is on a
+  /// straight way between two that are kept, or near it. What is not clear, or not joined by a clear way, is
+  /// left to be joined as others are.
+  void add_way(std::span<const kinematics::Configuration>);
+
+  /// Adds random configurations that are clear, each joined to some that are near it.
+  void add_random(int count);
+
+  /// Adds a configuration that is clear, and joins it to `beside` if a straight way is; else to what is near
+  /// it, and if `search`, by a small search tree (RRT-Connect: Kuffner, LaValle 2000) whose other tree is the
+  /// roadmap. It may remain unconnected.
+  Node add(const kinematics::Configuration&, std::span<const Node> beside, bool search);
+
+  /// The nodes that are nearest to a configuration, at most `count`, the nearest first.
+  std::vector<Node> nearest(const kinematics::Configuration&, std::size_t count, bool reached_only) const;
+
+ private:
+  bool try_join(Node, Node);
+  void grow_towards_roadmap(Node);
+
+  const ArmSpace& space_;
+  survey::Random& random_;
+  ArmRoadmap roadmap_;
+};
+
+}  // namespace limpet::evaluation
