@@ -36,7 +36,7 @@ evaluation::RunJudgement judge_by_truth(const FollowSetup& setup, const FollowOu
   options.resolution = setup.following.resolution;
   options.follow_distance = setup.following.follow_distance;
   options.ceiling = setup.robot.ceilings.prismatic;
-  options.tour = with_tour;
+  options.tour = with_tour && !setup.links;
   if (setup.links)
     options.arm = evaluation::PlacedArm{setup.robot, setup.configuration, outcome.way};
   else

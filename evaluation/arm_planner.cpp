@@ -11,7 +11,7 @@ using kinematics::Configuration;
 
 constexpr std::size_t kNeighbours = 6;   // that a node is tried to be joined to
 constexpr std::size_t kMostSkipped = 8;  // configurations of a known way between two that are kept
-constexpr int kGrowths = 40;             // of a search tree
+constexpr int kGrowths = 60;             // of a search tree
 constexpr double kGrowth = 0.25;         // how far it grows at once, as a share of the way to its aim
 
 }  // namespace

@@ -18,7 +18,6 @@ class ArmPlanner {
   ArmPlanner(const ArmSpace&, const kinematics::Configuration& start, survey::Random&);
 
   const ArmRoadmap& roadmap() const { return roadmap_; }
-  ArmRoadmap take() { return std::move(roadmap_); }
 
   /// Adds configurations that are known to follow each other, thinned: every one that is clear is on a
   /// straight way between two that are kept, or near it. What is not clear, or not joined by a clear way, is

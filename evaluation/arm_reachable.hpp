@@ -8,6 +8,8 @@
 #include <limpet/evaluation/true_surface.hpp>
 #include <limpet/kinematics/posture.hpp>
 #include <limpet/simulation/mesh.hpp>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace limpet::evaluation {
@@ -27,7 +29,6 @@ struct ArmSearchOptions {
   double control_clearance = 0;  ///< δ − λ: of the control point from the surface; > 0
   double link_clearance = 0;     ///< of links from the surface and from each other; 0: λ/10
   double least_cosine = 0.087;   ///< of the angle of incidence, as in Sensing
-  std::size_t samples = 1000;    ///< of the surface, about; > 0
   std::uint64_t seed = 1;
 };
 
@@ -41,7 +42,6 @@ struct ArmReachability {
     std::size_t sensor = 0;
   };
   std::vector<Sighting> sightings;  ///< of each sample; of one that is not reachable it says nothing
-  ArmRoadmap roadmap;               ///< with the ways from the start
 };
 
 /// Finds what an arm can feel. A sample of the surface is
@@ -56,10 +56,31 @@ struct ArmReachability {
 ///   - else doubtful: a search by sampling does not prove that there is none.
 ///
 /// Searched in a roadmap that grows: from the known configurations and random ones; then, for each sample,
-/// from nodes that nearly see it, and from random configurations, by inverse kinematics (aimed()). The same
-/// arguments give the same result. Throws std::invalid_argument if an option is out of range, the robot has
-/// no sensors, or the start is not one of its configurations.
-ArmReachability find_reachable(const simulation::Mesh& mesh, const TrueSurface& truth, const PlacedArm& arm,
-                               const ArmSearchOptions& options);
+/// from nodes that nearly see it, and from random configurations, by inverse kinematics. A sample takes a
+/// fraction of a millisecond where it is seen soon, and some ten milliseconds where it never is. The same
+/// calls in the same order give the same results.
+class ArmReach {
+ public:
+  /// All must outlive it. Throws std::invalid_argument if an option is out of range, the robot has no
+  /// sensors, or the start is not one of its configurations.
+  ArmReach(const simulation::Mesh& mesh, const TrueSurface& truth, const PlacedArm& arm,
+           const ArmSearchOptions& options);
+  ~ArmReach();
+
+  /// What is reachable of some samples of the mesh, `spacing` apart. Samples that are not `asked` for, if it
+  /// says which are, are doubtful unless they are ruled out.
+  ArmReachability of(std::vector<SurfaceSample> samples, double spacing, std::vector<char> asked = {});
+
+  /// With the ways from the start.
+  const ArmRoadmap& roadmap() const;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+/// Samples of a mesh, about `count`, evenly; but at least one a face, unless the faces are more than twice
+/// `count`: then some have none. Returns how far apart they are, too. Precondition: count > 0.
+std::pair<std::vector<SurfaceSample>, double> about(std::size_t count, const simulation::Mesh& mesh);
 
 }  // namespace limpet::evaluation

@@ -18,7 +18,8 @@ void ArmRoadmap::join(Node from, Node to, const Configuration& turned) {
   const Configuration change = turned - nodes_[from];
   edges_[from].push_back({to, change});
   edges_[to].push_back({from, -change});
-  const auto [low, high] = std::minmax(root_of(from), root_of(to));
+  const Node one = root_of(from), other = root_of(to), low = std::min(one, other),
+             high = std::max(one, other);
   for (Node node = to; parents_[node] != node;) node = std::exchange(parents_[node], low);  // shorter chains
   parents_[high] = low;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <limpet/evaluation/arm_search_internal.hpp>
+#include <limpet/evaluation/out_of_reach_internal.hpp>
 #include <utility>
 
 namespace limpet::evaluation {
@@ -10,10 +11,10 @@ namespace {
 using kinematics::Configuration;
 using kinematics::Posture;
 
-constexpr int kRounds = 4;             // over all samples
+constexpr int kRounds = 6;             // over all samples
 constexpr std::size_t kMostHints = 4;  // that are tried for a sample in a round
 constexpr std::size_t kNear = 4;       // nodes near a sample that are tried in a round
-constexpr int kTries = 6;              // random configurations that are tried in a round
+constexpr int kTries = 12;             // random configurations that are tried in a round
 constexpr double kOffSurface = 1.2;    // nearest place of the control point on an axis, in clearances
 
 }  // namespace
@@ -114,11 +115,9 @@ std::size_t ArmSearch::best_sensor(const Configuration& at, const SurfaceSample&
 }
 
 double ArmSearch::nearest_for(std::size_t sensor) const {
-  const kinematics::RangeSensor& s = space_.robot().sensors[sensor];
-  const kinematics::ControlPoint& point = space_.robot().control_point;
-  if (s.link == point.link && (s.position - point.position).norm() < 1e-9)
-    return kOffSurface * space_.clearances().control_point;
-  return kOffSurface * space_.clearances().links;
+  const ArmClearances& clearances = space_.clearances();
+  return kOffSurface *
+         (is_at_control_point(space_.robot(), sensor) ? clearances.control_point : clearances.links);
 }
 
 }  // namespace limpet::evaluation

@@ -18,6 +18,7 @@ RunJudgementOptions checked(RunJudgementOptions options, const FollowingRun& run
           "the follow distance must be larger than the linear resolution");
   require(options.arm || options.sensing.range > 0, "the sensing range must be positive");
   require(options.spacing >= 0, "the spacing of samples must not be negative");
+  require(!options.arm || options.arm_samples > 0, "what an arm can feel is judged by one sample at least");
   require(!options.tour || !options.arm, "there is no offline tour of an arm");
   require(!options.tour || options.ceiling > 0, "an offline tour needs a longest step above zero");
   if (options.spacing == 0) options.spacing = options.resolution / 4;
@@ -47,8 +48,44 @@ ArmSearchOptions search_of(const RunJudgementOptions& options) {
   search.resolution = options.resolution;
   search.control_clearance = options.follow_distance - options.resolution;
   search.least_cosine = options.sensing.least_cosine;
-  search.samples = options.arm_samples;
   return search;
+}
+
+/// What of an arm's marks is contradicted: by samples that lie closer than those of all of the surface.
+FalseUnreachable contradicted(const simulation::Mesh& truth, const FollowingRun& run,
+                              const std::vector<PlanarFace>& model, double resolution, ArmReach& reach) {
+  if (run.marks.empty()) return {};
+  const double spacing = resolution / 2;
+  Reachability near;
+  near.samples = near_marks(run.marks, samples_of(truth, spacing), resolution);
+  near.verdicts.resize(near.samples.size(), Verdict::doubtful);
+  near.faces.resize(static_cast<std::size_t>(truth.face_count));
+  const Coverage covered = coverage_of(model, near, resolution);
+  std::vector<char> asked;
+  for (const char is_covered : covered.covered) asked.push_back(is_covered == 0);
+  near = reach.of(std::move(near.samples), spacing, std::move(asked)).reachability;
+  return false_unreachable(run.marks, near, covered, resolution);
+}
+
+void judge_arm(const simulation::Mesh& truth, const TrueSurface& surface, const FollowingRun& run,
+               const RunJudgementOptions& options, RunJudgement& result) {
+  const std::vector<PlanarFace> model = planar_faces(run.model);
+  ArmReach reach(truth, surface, *options.arm, search_of(options));
+  auto [samples, spacing] = about(options.arm_samples, truth);
+  result.reachability = reach.of(std::move(samples), spacing).reachability;
+  result.covered = coverage_of(model, result.reachability, options.resolution);
+  result.marks = contradicted(truth, run, model, options.resolution, reach);
+}
+
+void judge_point_robot(const simulation::Mesh& truth, const TrueSurface& surface, const FollowingRun& run,
+                       const RunJudgementOptions& options, RunJudgement& result) {
+  const FreeSpace space(surface, simulation::bounds_of(truth), space_of(run, options));
+  result.reachability = find_reachable(truth, surface, space, options.sensing, options.spacing);
+  result.covered = coverage_of(planar_faces(run.model), result.reachability, options.resolution);
+  result.marks = false_unreachable(run.marks, result.reachability, result.covered, options.resolution);
+  if (options.tour)
+    result.tour =
+        offline_tour(truth, surface, space, result.reachability, options.sensing, tour_of(run, options));
 }
 
 void take_figures(RunJudgement& result) {
@@ -69,25 +106,16 @@ void take_figures(RunJudgement& result) {
 RunJudgement judge_run(const simulation::Mesh& truth, const FollowingRun& run,
                        const RunJudgementOptions& wanted) {
   const RunJudgementOptions options = checked(wanted, run);
-  const double resolution = options.resolution;
   const TrueSurface surface(truth);
-  std::optional<FreeSpace> space;
   RunJudgement result;
   result.sets = run.path.size();
-  if (options.arm) {
-    result.reachability = find_reachable(truth, surface, *options.arm, search_of(options)).reachability;
-  } else {
-    space.emplace(surface, simulation::bounds_of(truth), space_of(run, options));
-    result.reachability = find_reachable(truth, surface, *space, options.sensing, options.spacing);
-  }
-  result.covered = coverage_of(planar_faces(run.model), result.reachability, resolution);
+  if (options.arm)
+    judge_arm(truth, surface, run, options, result);
+  else
+    judge_point_robot(truth, surface, run, options, result);
   result.clearance = clearance_of(run.path, surface);
-  result.marks = false_unreachable(run.marks, result.reachability, result.covered, resolution);
-  result.topology = judge_reachable_topology(run.model, truth, result.reachability, resolution);
+  result.topology = judge_reachable_topology(run.model, truth, result.reachability, options.resolution);
   take_figures(result);
-  if (options.tour)
-    result.tour =
-        offline_tour(truth, surface, *space, result.reachability, options.sensing, tour_of(run, options));
   return result;
 }
 
