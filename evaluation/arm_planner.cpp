@@ -29,20 +29,31 @@ bool ArmPlanner::try_join(Node from, Node to) {
 }
 
 void ArmPlanner::add_way(std::span<const Configuration> way) {
-  std::vector<Configuration> clear;
+  const std::size_t begin = known_.size();
   for (const Configuration& at : way)
-    if (space_.holds(at)) clear.push_back(at);
+    if (space_.holds(at)) known_.push_back({at, 0, 0, std::nullopt});
   Node last = 0;
-  for (std::size_t next = 0; next < clear.size();) {
-    std::size_t far = std::min(next + kMostSkipped, clear.size()) - 1;
-    bool joined = space_.joins(roadmap_.at(last), clear[far]);
-    for (; !joined && far > next; joined = space_.joins(roadmap_.at(last), clear[far]))
+  for (std::size_t next = begin; next < known_.size();) {
+    std::size_t far = std::min(next + kMostSkipped, known_.size()) - 1;
+    bool joined = space_.joins(roadmap_.at(last), known_[far].at);
+    for (; !joined && far > next; joined = space_.joins(roadmap_.at(last), known_[far].at))
       far = next + (far - next) / 2;
-    const Node node = roadmap_.add(clear[far]);
-    if (joined) roadmap_.join(last, node, clear[far]);
+    const Node node = roadmap_.add(known_[far].at);
+    if (joined) roadmap_.join(last, node, known_[far].at);
+    known_[far].node = node;
+    for (; next <= far; ++next) known_[next].before = last, known_[next].after = node;
     last = node;
-    next = far + 1;
   }
+}
+
+ArmPlanner::Node ArmPlanner::node_of_known(std::size_t i) {
+  Known& known = known_[i];
+  if (known.node) return *known.node;
+  const Node node = roadmap_.add(known.at);
+  known.node = node;
+  if (!try_join(node, known.before) && !try_join(node, known.after) && i > 0)
+    try_join(node, node_of_known(i - 1));
+  return node;
 }
 
 void ArmPlanner::add_random(int count) {

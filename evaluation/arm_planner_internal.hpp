@@ -4,6 +4,7 @@
 #include <limpet/evaluation/arm_roadmap.hpp>
 #include <limpet/evaluation/arm_space_internal.hpp>
 #include <limpet/survey/random.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,10 +20,16 @@ class ArmPlanner {
 
   const ArmRoadmap& roadmap() const { return roadmap_; }
 
-  /// Adds configurations that are known to follow each other, thinned: every one that is clear is on a
-  /// straight way between two that are kept, or near it. What is not clear, or not joined by a clear way, is
-  /// left to be joined as others are.
+  /// Adds configurations that are known to follow each other, thinned: between two that are kept the straight
+  /// way is clear. What is not clear is left out; what is not joined to what is before by a clear way is left
+  /// to be joined as others are.
   void add_way(std::span<const kinematics::Configuration>);
+
+  /// The clear ones of all known configurations.
+  std::size_t known_count() const { return known_.size(); }
+  const kinematics::Configuration& known(std::size_t i) const { return known_[i].at; }
+  /// The node of a known configuration, which is added if it was thinned out.
+  Node node_of_known(std::size_t i);
 
   /// Adds random configurations that are clear, each joined to some that are near it.
   void add_random(int count);
@@ -36,12 +43,20 @@ class ArmPlanner {
   std::vector<Node> nearest(const kinematics::Configuration&, std::size_t count, bool reached_only) const;
 
  private:
+  /// A known configuration, and the kept nodes between which the way goes past it.
+  struct Known {
+    kinematics::Configuration at;
+    Node before = 0, after = 0;
+    std::optional<Node> node;
+  };
+
   bool try_join(Node, Node);
   void grow_towards_roadmap(Node);
 
   const ArmSpace& space_;
   survey::Random& random_;
   ArmRoadmap roadmap_;
+  std::vector<Known> known_;
 };
 
 }  // namespace limpet::evaluation

@@ -13,6 +13,7 @@ using kinematics::Posture;
 
 constexpr int kRounds = 6;             // over all samples
 constexpr std::size_t kMostHints = 4;  // that are tried for a sample in a round
+constexpr double kHint = 1.5;          // how far from a sample hints are, in spacings
 constexpr std::size_t kNear = 4;       // nodes near a sample that are tried in a round
 constexpr int kTries = 12;             // random configurations that are tried in a round
 constexpr double kOffSurface = 1.2;    // nearest place of the control point on an axis, in clearances
@@ -28,7 +29,9 @@ ArmSearch::ArmSearch(const ArmSpace& space, ArmPlanner& planner, const std::vect
       sight_(sight),
       random_(random),
       hints_(samples.size()),
-      found_(samples.size()) {}
+      found_(samples.size()) {
+  for (std::size_t i = 0; i < planner.known_count(); ++i) take_hints(true, i);
+}
 
 std::optional<ArmSearch::Sighting> ArmSearch::sighting(std::size_t sample) const {
   for (const Sighting& found : found_[sample])
@@ -47,19 +50,21 @@ void ArmSearch::look_for(const std::vector<char>& wanted) {
     }
 }
 
-/// Where the sensors of new nodes meet the surface.
 void ArmSearch::take_hints() {
-  for (; hinted_ < planner_.roadmap().size(); ++hinted_) {
-    const Posture posture(space_.robot(), planner_.roadmap().at(hinted_));
-    for (std::size_t sensor = 0; sensor < space_.robot().sensors.size(); ++sensor) {
-      const Posture::Sensor s = posture.sensor(sensor);
-      const auto range = space_.truth().first_crossing(s.position, s.axis);
-      if (!range || *range > s.range) continue;
-      const Eigen::Vector3d at = s.position + *range * s.axis;
-      for (std::size_t i = 0; i < samples_.size(); ++i)
-        if (const double off = (samples_[i].at - at).norm(); off < 1.5 * spacing_)
-          hints_[i].push_back({off, {hinted_, sensor}});
-    }
+  for (; hinted_ < planner_.roadmap().size(); ++hinted_) take_hints(false, hinted_);
+}
+
+/// Where the sensors meet the surface.
+void ArmSearch::take_hints(bool known, std::size_t index) {
+  const Posture posture(space_.robot(), known ? planner_.known(index) : planner_.roadmap().at(index));
+  for (std::size_t sensor = 0; sensor < space_.robot().sensors.size(); ++sensor) {
+    const Posture::Sensor s = posture.sensor(sensor);
+    const auto range = space_.truth().first_crossing(s.position, s.axis);
+    if (!range || *range > s.range) continue;
+    const Eigen::Vector3d at = s.position + *range * s.axis;
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      if (const double off = (samples_[i].at - at).norm(); off < kHint * spacing_)
+        hints_[i].push_back({off, known, index, sensor});
   }
 }
 
@@ -67,9 +72,10 @@ void ArmSearch::look_by_hints(std::size_t sample) {
   std::vector<Hint>& hints = hints_[sample];
   std::stable_sort(hints.begin(), hints.end(), [](const Hint& a, const Hint& b) { return a.off > b.off; });
   for (std::size_t tried = 0; tried < kMostHints && !hints.empty() && !sighting(sample); ++tried) {
-    const Sighting from = hints.back().from;
+    const Hint hint = hints.back();
     hints.pop_back();
-    look_from(planner_.roadmap().at(from.node), {from.node}, from.sensor, sample, false);
+    const Node node = hint.known ? planner_.node_of_known(hint.index) : hint.index;
+    look_from(planner_.roadmap().at(node), {node}, hint.sensor, sample, false);
   }
 }
 

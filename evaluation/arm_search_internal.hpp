@@ -27,13 +27,15 @@ class ArmSearch {
   std::optional<Sighting> sighting(std::size_t sample) const;
 
  private:
-  /// A sensor of a node that meets the surface near a sample.
+  /// A sensor that meets the surface near a sample, of a node or of a known configuration.
   struct Hint {
     double off = 0;
-    Sighting from;
+    bool known = false;
+    std::size_t index = 0, sensor = 0;
   };
 
   void take_hints();
+  void take_hints(bool known, std::size_t index);
   void look_by_hints(std::size_t sample);
   void look_from_near(std::size_t sample, std::size_t count);
   void look_from_anywhere(std::size_t sample, int tries);

@@ -55,7 +55,7 @@ ArmSearchOptions search_of(const RunJudgementOptions& options) {
 FalseUnreachable contradicted(const simulation::Mesh& truth, const FollowingRun& run,
                               const std::vector<PlanarFace>& model, double resolution, ArmReach& reach) {
   if (run.marks.empty()) return {};
-  const double spacing = resolution / 2;
+  const double spacing = resolution / 4;
   Reachability near;
   near.samples = near_marks(run.marks, samples_of(truth, spacing), resolution);
   near.verdicts.resize(near.samples.size(), Verdict::doubtful);
