@@ -39,7 +39,10 @@ void ArmPlanner::add_way(std::span<const Configuration> way) {
     for (; !joined && far > next; joined = space_.joins(roadmap_.at(last), known_[far].at))
       far = next + (far - next) / 2;
     const Node node = roadmap_.add(known_[far].at);
-    if (joined) roadmap_.join(last, node, known_[far].at);
+    if (joined)
+      roadmap_.join(last, node, known_[far].at);
+    else
+      connect(node, true);
     known_[far].node = node;
     for (; next <= far; ++next) known_[next].before = last, known_[next].after = node;
     last = node;
@@ -62,10 +65,10 @@ void ArmPlanner::add_random(int count) {
 }
 
 std::vector<ArmPlanner::Node> ArmPlanner::nearest(const Configuration& at, std::size_t count,
-                                                  bool reached_only) const {
+                                                  bool reached) const {
   std::vector<std::pair<double, Node>> found;
   for (Node node = 0; node < roadmap_.size(); ++node)
-    if (!reached_only || roadmap_.is_reached(node))
+    if (roadmap_.is_reached(node) == reached)
       found.emplace_back(space_.distance(at, roadmap_.at(node)), node);
   count = std::min(count, found.size());
   std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end());
@@ -75,15 +78,18 @@ std::vector<ArmPlanner::Node> ArmPlanner::nearest(const Configuration& at, std::
 }
 
 ArmPlanner::Node ArmPlanner::add(const Configuration& at, std::span<const Node> beside, bool search) {
-  const std::vector<Node> around = nearest(at, kNeighbours, false), reached = nearest(at, kNeighbours, true);
   const Node node = roadmap_.add(at);
   for (const Node other : beside)
     if (try_join(node, other)) break;
-  for (const auto* others : {&reached, &around})
-    for (const Node other : *others)
-      if (!roadmap_.is_reached(node) && !roadmap_.are_connected(node, other)) try_join(node, other);
-  if (search && !roadmap_.is_reached(node)) grow_towards_roadmap(node);
+  connect(node, search);
   return node;
+}
+
+void ArmPlanner::connect(Node node, bool search) {
+  for (const bool reached : {true, false})
+    for (const Node other : nearest(roadmap_.at(node), kNeighbours, reached))
+      if (roadmap_.is_reached(other) != roadmap_.is_reached(node)) try_join(node, other);
+  if (search && !roadmap_.is_reached(node)) grow_towards_roadmap(node);
 }
 
 /// Towards random configurations, some of the way, as far as that is clear; what has grown is tried to be

@@ -39,8 +39,8 @@ class ArmPlanner {
   /// roadmap. It may remain unconnected.
   Node add(const kinematics::Configuration&, std::span<const Node> beside, bool search);
 
-  /// The nodes that are nearest to a configuration, at most `count`, the nearest first.
-  std::vector<Node> nearest(const kinematics::Configuration&, std::size_t count, bool reached_only) const;
+  /// The nodes, reached or not, that are nearest to a configuration, at most `count`, the nearest first.
+  std::vector<Node> nearest(const kinematics::Configuration&, std::size_t count, bool reached) const;
 
  private:
   /// A known configuration, and the kept nodes between which the way goes past it.
@@ -51,6 +51,7 @@ class ArmPlanner {
   };
 
   bool try_join(Node, Node);
+  void connect(Node, bool search);
   void grow_towards_roadmap(Node);
 
   const ArmSpace& space_;

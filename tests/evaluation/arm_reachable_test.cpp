@@ -119,7 +119,7 @@ TEST(ArmReach, WhatIsReachableIsSeenFromWhereAClearWayLeads) {
     EXPECT_EQ(way.front(), world.arm.start);
     EXPECT_TRUE(testing::are_same_place(way.back(), world.reach->roadmap().at(node)));
     const Posture::Sensor sensor = Posture(world.arm.robot, way.back()).sensor(number);
-    EXPECT_EQ((sensor.position - found.reachability.seen_from[i]).norm() < 1e-9, true);
+    EXPECT_LT((sensor.position - found.reachability.seen_from[i]).norm(), 1e-9);
     const double t = (sample.at - sensor.position).dot(sensor.axis);
     EXPECT_GT(t, 0);
     EXPECT_LE(t, sensor.range);

@@ -84,20 +84,49 @@ TEST(ArmSpace, DistanceIsTheShorterWayRoundAndBoundsEveryMotion) {
   }
 }
 
-/// A known way is kept, thinned; where it breaks off the rest is joined when there is another way.
-TEST(ArmPlanner, TakesAKnownWayIn) {
+/// From the start, a little each time.
+std::vector<Configuration> known_way(const ArmWorld& world) {
+  std::vector<Configuration> way;
+  const Configuration change = joints({0.01, 0.005, 0, -0.01, 0, 0});
+  for (int i = 0; i <= 30; ++i) way.push_back(world.arm.start + i * change);
+  return way;
+}
+
+void expect_all_reached(const ArmRoadmap& map) {
+  for (std::size_t node = 0; node < map.size(); ++node) EXPECT_TRUE(map.is_reached(node));
+}
+
+TEST(ArmPlanner, KeepsAKnownWayThinnedAndAllOfItsPlacesOnDemand) {
   const ArmWorld world(boxes(), testing::thesis_arm_at({-2, -1, 0}));
   const ArmSpace space(world.arm.robot, *world.truth, world.arm.start, usual());
   survey::Random random(5);
   ArmPlanner planner(space, world.arm.start, random);
-  std::vector<Configuration> way;
-  const Configuration change = joints({0.01, 0.005, 0, -0.01, 0, 0});
-  for (int i = 0; i <= 30; ++i) way.push_back(world.arm.start + i * change);
+  const std::vector<Configuration> way = known_way(world);
   planner.add_way(way);
-  const ArmRoadmap& map = planner.roadmap();
-  EXPECT_LT(map.size(), 10u);
-  EXPECT_EQ(map.at(map.size() - 1), way.back());
-  for (std::size_t node = 0; node < map.size(); ++node) EXPECT_TRUE(map.is_reached(node));
+  EXPECT_LT(planner.roadmap().size(), 10u);
+  ASSERT_EQ(planner.known_count(), way.size());
+  for (std::size_t i = 0; i < way.size(); ++i)
+    EXPECT_EQ(planner.roadmap().at(planner.node_of_known(i)), way[i]);
+  EXPECT_LE(planner.roadmap().size(), way.size() + 1);
+  expect_all_reached(planner.roadmap());
+}
+
+/// The rest of a way that breaks off is joined otherwise; what reaches into the object is left out.
+TEST(ArmPlanner, GoesRoundWhereAKnownWayIsNotClear) {
+  const ArmWorld world(boxes(), testing::thesis_arm_at({-2, -1, 0}));
+  const ArmSpace space(world.arm.robot, *world.truth, world.arm.start, usual());
+  survey::Random random(6);
+  std::vector<Configuration> way = known_way(world);
+  const std::size_t clear = way.size();
+  const auto bars = [&](const Configuration& at) { return testing::room_of(world, at) < 0; };
+  while (way.size() < clear + 3)
+    if (const Configuration at = space.random(random); bars(at)) way.push_back(at);
+  way.push_back(world.arm.start + joints({0.5, 0.5, 0, 0.5, 0, 0}));
+  ASSERT_FALSE(bars(way.back()));
+  ArmPlanner planner(space, world.arm.start, random);
+  planner.add_way(way);
+  EXPECT_EQ(planner.known_count(), clear + 1);
+  expect_all_reached(planner.roadmap());
 }
 
 }  // namespace
