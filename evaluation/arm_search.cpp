@@ -11,12 +11,12 @@ namespace {
 using kinematics::Configuration;
 using kinematics::Posture;
 
-constexpr int kRounds = 6;             // over all samples
-constexpr std::size_t kMostHints = 4;  // that are tried for a sample in a round
-constexpr double kHint = 1.5;          // how far from a sample hints are, in spacings
-constexpr std::size_t kNear = 4;       // nodes near a sample that are tried in a round
-constexpr int kTries = 12;             // random configurations that are tried in a round
-constexpr double kOffSurface = 1.2;    // nearest place of the control point on an axis, in clearances
+constexpr int kRounds = 8;              // over all samples
+constexpr std::size_t kMostHints = 10;  // that are tried for a sample in a round
+constexpr double kHint = 1.5;           // how far from a sample hints are, in spacings
+constexpr std::size_t kNear = 6;        // nodes near a sample that are tried in a round
+constexpr int kTries = 15;              // random configurations that are tried in a round
+constexpr double kOffSurface = 1.2;     // nearest place of the control point on an axis, in clearances
 
 }  // namespace
 

@@ -22,8 +22,8 @@ struct LinkClearance {
 
 /// Measures all links that a joint moves along a way that is straight in joint space from each configuration
 /// to the next. Looks at places on the way between which no part moves more than `fineness`: to_surface and
-/// to_itself are too large by half of that at most. Links that overlap in the first configuration are taken
-/// to be made so.
+/// to_itself are too large by half of that at most. Links that touch in the first configuration, or with all
+/// joints at rest (at 0, or the limit nearest to it), are taken to be made so.
 LinkClearance link_clearance(const kinematics::Robot&, std::span<const kinematics::Configuration> way,
                              const TrueSurface& truth, double fineness);
 

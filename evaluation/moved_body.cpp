@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limpet/evaluation/moved_body_internal.hpp>
+#include <optional>
 
 namespace limpet::evaluation {
 namespace {
@@ -16,8 +17,25 @@ bool is_moved_by_a_joint(const Robot& robot, std::size_t link) {
   return robot.links[link].parent && is_moved_by_a_joint(robot, *robot.links[link].parent);
 }
 
+/// The link that a link hangs on, past those without extent.
+std::optional<std::size_t> carrier_of(const Robot& robot, std::size_t link) {
+  std::optional<std::size_t> carrier = robot.links[link].parent;
+  while (carrier && robot.links[*carrier].body.empty()) carrier = robot.links[*carrier].parent;
+  return carrier;
+}
+
 bool are_joined(const Robot& robot, std::size_t one, std::size_t other) {
-  return one == other || robot.links[one].parent == other || robot.links[other].parent == one;
+  return one == other || carrier_of(robot, one) == other || carrier_of(robot, other) == one;
+}
+
+/// All joints at 0, or at the limit that is nearest to it.
+kinematics::Configuration at_rest(const Robot& robot) {
+  kinematics::Configuration rest(static_cast<Eigen::Index>(robot.joint_count()));
+  Eigen::Index k = 0;
+  for (const kinematics::Link& link : robot.links)
+    if (link.joint.kind != kinematics::Joint::Kind::fixed)
+      rest[k++] = std::clamp(0.0, link.joint.low, link.joint.high);
+  return rest;
 }
 
 /// Distance between two segments: at ends, or between interior points where these are nearest.
@@ -46,10 +64,15 @@ MovedBody::MovedBody(const Robot& robot, const kinematics::Configuration& first)
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     if (is_moved_by_a_joint(robot, i))
       for (const model::Capsule& capsule : robot.links[i].body) parts_.push_back({i, capsule});
-  const std::vector<model::Capsule> at_first = in_world(Posture(robot, first));
+  const std::vector<model::Capsule> at_first = in_world(Posture(robot, first)),
+                                    resting = in_world(Posture(robot, at_rest(robot)));
+  const auto touch = [](const std::vector<model::Capsule>& parts, std::size_t i, std::size_t j) {
+    return gap_between(parts[i], parts[j]) <= 0;
+  };
   for (std::size_t i = 0; i < parts_.size(); ++i)
     for (std::size_t j = i + 1; j < parts_.size(); ++j)
-      if (!are_joined(robot, parts_[i].link, parts_[j].link) && gap_between(at_first[i], at_first[j]) > 0)
+      if (!are_joined(robot, parts_[i].link, parts_[j].link) && !touch(at_first, i, j) &&
+          !touch(resting, i, j))
         pairs_.emplace_back(i, j);
 }
 

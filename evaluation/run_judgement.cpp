@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/evaluation/run_judgement.hpp>
 
+#include <algorithm>
 #include <limpet/evaluation/planar_face.hpp>
 #include <stdexcept>
 
@@ -51,19 +52,29 @@ ArmSearchOptions search_of(const RunJudgementOptions& options) {
   return search;
 }
 
-/// What of an arm's marks is contradicted: by samples that lie closer than those of all of the surface.
+/// Of the samples that are not covered, at most `count`, evenly.
+std::vector<char> to_ask_for(const std::vector<char>& covered, std::size_t count) {
+  const auto open = static_cast<std::size_t>(std::count(covered.begin(), covered.end(), char{0}));
+  const std::size_t every = std::max<std::size_t>(1, (open + count - 1) / count);
+  std::vector<char> asked;
+  std::size_t passed = 0;
+  for (const char is_covered : covered) asked.push_back(is_covered == 0 && passed++ % every == 0);
+  return asked;
+}
+
+/// Which of an arm's marks are contradicted: by samples that lie closer than those of all of the surface.
 FalseUnreachable contradicted(const simulation::Mesh& truth, const FollowingRun& run,
-                              const std::vector<PlanarFace>& model, double resolution, ArmReach& reach) {
+                              const std::vector<PlanarFace>& model, const RunJudgementOptions& options,
+                              ArmReach& reach) {
   if (run.marks.empty()) return {};
-  const double spacing = resolution / 4;
+  const double resolution = options.resolution, spacing = resolution / 4;
   Reachability near;
   near.samples = near_marks(run.marks, samples_of(truth, spacing), resolution);
   near.verdicts.resize(near.samples.size(), Verdict::doubtful);
   near.faces.resize(static_cast<std::size_t>(truth.face_count));
   const Coverage covered = coverage_of(model, near, resolution);
-  std::vector<char> asked;
-  for (const char is_covered : covered.covered) asked.push_back(is_covered == 0);
-  near = reach.of(std::move(near.samples), spacing, std::move(asked)).reachability;
+  near = reach.of(std::move(near.samples), spacing, to_ask_for(covered.covered, 2 * options.arm_samples))
+             .reachability;
   return false_unreachable(run.marks, near, covered, resolution);
 }
 
@@ -74,7 +85,7 @@ void judge_arm(const simulation::Mesh& truth, const TrueSurface& surface, const 
   auto [samples, spacing] = about(options.arm_samples, truth);
   result.reachability = reach.of(std::move(samples), spacing).reachability;
   result.covered = coverage_of(model, result.reachability, options.resolution);
-  result.marks = contradicted(truth, run, model, options.resolution, reach);
+  result.marks = contradicted(truth, run, model, options, reach);
 }
 
 void judge_point_robot(const simulation::Mesh& truth, const TrueSurface& surface, const FollowingRun& run,

@@ -33,9 +33,9 @@ struct RunJudgementOptions {
   double spacing = 0;          ///< of the samples of the truth; 0: λ/4
   double pitch = 0;            ///< of free space; 0: (δ − λ)/2
   bool tour = false;           ///< compare with an offline tour, which takes longer than all the rest
-  /// The robot, if it is an arm: what it can feel is sought for as in arm_reachable.hpp, at about
-  /// `arm_samples` of the truth, which takes seconds. `spacing` and `pitch` do not count then, of `sensing`
-  /// only the largest incidence, and there is no tour.
+  /// The robot, if it is an arm: what it can feel is sought as by ArmReach, at about `arm_samples` of
+  /// the truth, and near marks at samples λ/4 apart (of those at most twice as many). `spacing` and `pitch`
+  /// do not count then, of `sensing` only the largest incidence, and there is no tour.
   std::optional<PlacedArm> arm;
   std::size_t arm_samples = 1000;
 };
