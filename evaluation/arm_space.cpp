@@ -132,7 +132,9 @@ double ArmSpace::distance(const Configuration& from, const Configuration& to) co
   return levers_.dot((near(from, to) - from).cwiseAbs());
 }
 
-Configuration ArmSpace::within_limits(Configuration at) const { return at.cwiseMax(low_).cwiseMin(high_); }
+Configuration ArmSpace::within_limits(const Configuration& at) const {
+  return at.cwiseMax(low_).cwiseMin(high_);
+}
 
 Configuration ArmSpace::random(survey::Random& random) const {
   Configuration at(low_.size());

@@ -47,7 +47,7 @@ class ArmSpace {
   double distance(const kinematics::Configuration& from, const kinematics::Configuration& to) const;
 
   /// Moves what is beyond a joint's limit to it.
-  kinematics::Configuration within_limits(kinematics::Configuration) const;
+  kinematics::Configuration within_limits(const kinematics::Configuration&) const;
 
   /// Any that is within the limits, clear or not.
   kinematics::Configuration random(survey::Random&) const;

@@ -37,12 +37,12 @@ TEST(ArmRoadmap, TurnsTheShorterWayRound) {
 
 // ---- Clear configurations and ways -------------------------------------------------------------
 
-ArmClearances usual() {
+ArmClearances usual_clearances() {
   return {testing::kArmResolution, testing::kArmResolution / 10, testing::kArmResolution / 10,
           testing::kArmResolution / 50, 1};
 }
 
-simulation::Mesh boxes() {
+simulation::Mesh one_box() {
   simulation::BoxWorld world;
   world.add({0, 0, 0}, {2, 2, 2});
   return world.surface();
@@ -50,8 +50,8 @@ simulation::Mesh boxes() {
 
 /// What is said to be clear is clear wherever one looks; and not nothing is.
 TEST(ArmSpace, WaysThatJoinAreClearAllAlong) {
-  const ArmWorld world(boxes(), testing::thesis_arm_at({-2, -1, 0}));
-  const ArmSpace space(world.arm.robot, *world.truth, world.arm.start, usual());
+  const ArmWorld world(one_box(), testing::thesis_arm_at({-2, -1, 0}));
+  const ArmSpace space(world.arm.robot, *world.truth, world.arm.start, usual_clearances());
   survey::Random random(3);
   int joined = 0, barred = 0;
   for (int i = 0; i < 200; ++i) {
@@ -71,8 +71,8 @@ TEST(ArmSpace, WaysThatJoinAreClearAllAlong) {
 }
 
 TEST(ArmSpace, DistanceIsTheShorterWayRoundAndBoundsEveryMotion) {
-  const ArmWorld world(boxes(), testing::thesis_arm_at({-2, -1, 0}));
-  const ArmSpace space(world.arm.robot, *world.truth, world.arm.start, usual());
+  const ArmWorld world(one_box(), testing::thesis_arm_at({-2, -1, 0}));
+  const ArmSpace space(world.arm.robot, *world.truth, world.arm.start, usual_clearances());
   survey::Random random(4);
   for (int i = 0; i < 200; ++i) {
     const Configuration from = space.random(random), to = space.random(random);
@@ -97,8 +97,8 @@ void expect_all_reached(const ArmRoadmap& map) {
 }
 
 TEST(ArmPlanner, KeepsAKnownWayThinnedAndAllOfItsPlacesOnDemand) {
-  const ArmWorld world(boxes(), testing::thesis_arm_at({-2, -1, 0}));
-  const ArmSpace space(world.arm.robot, *world.truth, world.arm.start, usual());
+  const ArmWorld world(one_box(), testing::thesis_arm_at({-2, -1, 0}));
+  const ArmSpace space(world.arm.robot, *world.truth, world.arm.start, usual_clearances());
   survey::Random random(5);
   ArmPlanner planner(space, world.arm.start, random);
   const std::vector<Configuration> way = known_way(world);
@@ -113,8 +113,8 @@ TEST(ArmPlanner, KeepsAKnownWayThinnedAndAllOfItsPlacesOnDemand) {
 
 /// The rest of a way that breaks off is joined otherwise; what reaches into the object is left out.
 TEST(ArmPlanner, GoesRoundWhereAKnownWayIsNotClear) {
-  const ArmWorld world(boxes(), testing::thesis_arm_at({-2, -1, 0}));
-  const ArmSpace space(world.arm.robot, *world.truth, world.arm.start, usual());
+  const ArmWorld world(one_box(), testing::thesis_arm_at({-2, -1, 0}));
+  const ArmSpace space(world.arm.robot, *world.truth, world.arm.start, usual_clearances());
   survey::Random random(6);
   std::vector<Configuration> way = known_way(world);
   const std::size_t clear = way.size();
