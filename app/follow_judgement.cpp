@@ -36,13 +36,11 @@ evaluation::RunJudgement judge_by_truth(const FollowSetup& setup, const FollowOu
   options.resolution = setup.following.resolution;
   options.follow_distance = setup.following.follow_distance;
   options.ceiling = setup.robot.ceilings.prismatic;
-  options.tour = with_tour;
-  // What an arm could reach is what a point robot could, at most: it is judged by that.
-  const kinematics::Robot point =
-      kinematics::point_robot({setup.following.sensing_range, options.resolution});
-  options.sensing =
-      evaluation::sensing_of(setup.links ? kinematics::Posture(point, kinematics::Configuration(setup.start))
-                                         : kinematics::Posture(setup.robot, setup.configuration));
+  options.tour = with_tour && !setup.links;
+  if (setup.links)
+    options.arm = evaluation::PlacedArm{setup.robot, setup.configuration, outcome.way};
+  else
+    options.sensing = evaluation::sensing_of(kinematics::Posture(setup.robot, setup.configuration));
   return evaluation::judge_run(
       *setup.world.truth, {outcome.path, model.record(), given_up(model.view(), outcome.marks)}, options);
 }

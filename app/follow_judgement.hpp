@@ -11,8 +11,8 @@
 namespace limpet::app {
 
 /// Judges a run by the mesh that it took place over. `model` is that of the run, finished. `with_tour`:
-/// compare with an offline tour, too, which takes longer than all the rest. Precondition: the true surface is
-/// known (BuiltWorld::truth).
+/// compare a point robot's with an offline tour, too, which takes longer than all the rest. An arm's is
+/// judged by what an arm could feel. Precondition: the true surface is known (BuiltWorld::truth).
 evaluation::RunJudgement judge_by_truth(const FollowSetup&, const FollowOutcome&, const model::Model& model,
                                         bool with_tour = false);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limpet/evaluation/reachable_internal.hpp>
 #include <limpet/evaluation/region.hpp>
 #include <stdexcept>
 
@@ -92,21 +93,6 @@ class Search {
   double range_;
 };
 
-void sum_up(Reachability& result) {
-  double area = 0;
-  for (std::size_t i = 0; i < result.samples.size(); ++i) {
-    const SurfaceSample& sample = result.samples[i];
-    Reachability::Face& face = result.faces[static_cast<std::size_t>(sample.face)];
-    area += sample.area;
-    face.area += sample.area;
-    if (result.verdicts[i] == Verdict::yes) result.share += sample.area, face.share += sample.area;
-    if (result.verdicts[i] == Verdict::doubtful) result.doubtful += sample.area, face.doubtful += sample.area;
-  }
-  if (area > 0) result.share /= area, result.doubtful /= area;
-  for (Reachability::Face& face : result.faces)
-    if (face.area > 0) face.share /= face.area, face.doubtful /= face.area;
-}
-
 }  // namespace
 
 std::vector<SurfaceSample> samples_of(const simulation::Mesh& mesh, double spacing) {
@@ -158,6 +144,21 @@ Reachability find_reachable(const simulation::Mesh& mesh, const TrueSurface& tru
   }
   sum_up(result);
   return result;
+}
+
+void sum_up(Reachability& result) {
+  double area = 0;
+  for (std::size_t i = 0; i < result.samples.size(); ++i) {
+    const SurfaceSample& sample = result.samples[i];
+    Reachability::Face& face = result.faces[static_cast<std::size_t>(sample.face)];
+    area += sample.area;
+    face.area += sample.area;
+    if (result.verdicts[i] == Verdict::yes) result.share += sample.area, face.share += sample.area;
+    if (result.verdicts[i] == Verdict::doubtful) result.doubtful += sample.area, face.doubtful += sample.area;
+  }
+  if (area > 0) result.share /= area, result.doubtful /= area;
+  for (Reachability::Face& face : result.faces)
+    if (face.area > 0) face.share /= face.area, face.doubtful /= face.area;
 }
 
 }  // namespace limpet::evaluation

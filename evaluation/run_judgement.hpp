@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <limpet/evaluation/arm_reachable.hpp>
 #include <limpet/evaluation/clearance.hpp>
 #include <limpet/evaluation/coverage.hpp>
 #include <limpet/evaluation/offline_tour.hpp>
@@ -16,7 +17,7 @@
 
 namespace limpet::evaluation {
 
-/// What a simulated run of a point robot leaves to be judged.
+/// What a simulated run leaves to be judged.
 struct FollowingRun {
   std::vector<Eigen::Vector3d> path;  ///< the control point at each set, in order, in the world
   model::ModelRecord model;           ///< as the run left it
@@ -28,10 +29,15 @@ struct RunJudgementOptions {
   double resolution = 0;       ///< λ; > 0
   double follow_distance = 0;  ///< δ; > λ
   double ceiling = 0;          ///< γ: the longest step; > 0 if there is to be a tour
-  Sensing sensing;
-  double spacing = 0;  ///< of the samples of the truth; 0: λ/4
-  double pitch = 0;    ///< of free space; 0: (δ − λ)/2
-  bool tour = false;   ///< compare with an offline tour, which takes longer than all the rest
+  Sensing sensing;             ///< of a point robot
+  double spacing = 0;          ///< of the samples of the truth; 0: λ/4
+  double pitch = 0;            ///< of free space; 0: (δ − λ)/2
+  bool tour = false;           ///< compare with an offline tour, which takes longer than all the rest
+  /// The robot, if it is an arm: what it can feel is sought as by ArmReach, at about `arm_samples` of
+  /// the truth, and near marks at samples λ/4 apart (of those at most twice as many). `spacing` and `pitch`
+  /// do not count then, of `sensing` only the largest incidence, and there is no tour.
+  std::optional<PlacedArm> arm;
+  std::size_t arm_samples = 1000;
 };
 
 /// A run, judged by the truth (thesis chapter 4 has no such figures; they are this project's).

@@ -58,4 +58,15 @@ FalseUnreachable false_unreachable(const std::vector<GivenUp>& marks, const Reac
   return result;
 }
 
+std::vector<SurfaceSample> near_marks(const std::vector<GivenUp>& marks,
+                                      const std::vector<SurfaceSample>& samples, double resolution) {
+  std::vector<SurfaceSample> near;
+  for (const SurfaceSample& sample : samples)
+    if (std::any_of(marks.begin(), marks.end(), [&](const GivenUp& mark) {
+          return (sample.at - nearest_of(mark, sample.at)).norm() <= 2 * resolution;
+        }))
+      near.push_back(sample);
+  return near;
+}
+
 }  // namespace limpet::evaluation

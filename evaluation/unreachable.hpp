@@ -34,4 +34,8 @@ struct FalseUnreachable {
 FalseUnreachable false_unreachable(const std::vector<GivenUp>& marks, const Reachability& truth,
                                    const Coverage& covered, double resolution);
 
+/// The samples that may be beyond a mark: those within 2λ of an edge.
+std::vector<SurfaceSample> near_marks(const std::vector<GivenUp>& marks,
+                                      const std::vector<SurfaceSample>& samples, double resolution);
+
 }  // namespace limpet::evaluation

@@ -98,5 +98,23 @@ TEST(LinkClearance, AWatchTellsTheStepsThatCollide) {
   EXPECT_LT(told, 200u);
 }
 
+/// What touches when all joints are at rest is made so, though it does not in the first configuration.
+TEST(LinkClearance, WhatTouchesAtRestIsMadeSo) {
+  kinematics::Robot robot;
+  for (const double x : {0.0, 0.6, -0.3}) {  // rods: at rest the third is beside the first
+    kinematics::Link link;
+    if (!robot.links.empty()) link.parent = robot.links.size() - 1;
+    link.mounting.translation() = Vector3d(x, 0, robot.links.empty() ? 50 : 0);
+    link.joint = {kinematics::Joint::Kind::revolute, Vector3d::UnitZ()};
+    link.body = {{Vector3d::Zero(), Vector3d(0, 0, 0.5), 0.2}};
+    robot.links.push_back(link);
+  }
+  const TrueSurface far(simulation::make_scene("cube").mesh);
+  const std::vector<Configuration> folding = {Eigen::Vector3d(0, 3, 0), Eigen::Vector3d(0, 0, 0)};
+  EXPECT_EQ(link_clearance(robot, folding, far, 0.005).self_collisions, 0u);
+  robot.links[1].joint.low = 1;  // not where it rests
+  EXPECT_EQ(link_clearance(robot, folding, far, 0.005).self_collisions, 1u);
+}
+
 }  // namespace
 }  // namespace limpet::evaluation

@@ -4,6 +4,7 @@
 #include <limpet/evaluation/run_judgement.hpp>
 #include <stdexcept>
 
+#include "arm_worlds.hpp"
 #include "run_worlds.hpp"
 
 namespace limpet::evaluation {
@@ -197,6 +198,50 @@ TEST(RunJudgement, LeavesSidesTowardsUnreachableFacesOpen) {
   EXPECT_FALSE(less.isomorphic);
 }
 
+/// Beside the cube, with joints that let it get at two of its sides only.
+PlacedArm hindered_arm() {
+  PlacedArm arm;
+  arm.robot = kinematics::placed(kinematics::arm(), Eigen::Isometry3d(Eigen::Translation3d(-1.5, 0.5, 0)));
+  for (kinematics::RangeSensor& sensor : arm.robot.sensors) sensor.range = kRange;
+  arm.robot.links[2].joint.low = -1.5, arm.robot.links[2].joint.high = 0.5;
+  arm.robot.links[4].joint.low = 0, arm.robot.links[4].joint.high = 0.5;
+  arm.robot.links[6].joint.low = 0, arm.robot.links[6].joint.high = 1;
+  arm.start = testing::joints({0, -1, 0, 0.25, 0, 0.5});
+  return arm;
+}
+
+TEST(RunJudgement, OfAnArmAsksForWhatAnArmCanFeel) {
+  RunJudgementOptions options = usual();
+  options.sensing = {};
+  options.arm = hindered_arm();
+  options.arm_samples = 200;
+  const RunJudgement found = judge_run(testing::cube(), run_of(io::testing::cube()), options);
+  EXPECT_EQ(found.coverage, 1);
+  EXPECT_EQ(found.coverage_total, 1);
+  EXPECT_GT(found.reachable_share, 0.1);
+  EXPECT_LT(found.reachable_share, 0.9);
+  EXPECT_NEAR(found.reachable_share + found.doubtful_share, 1, 1e-9) << "none is out of reach by its length";
+  EXPECT_LT(found.topology.faces, 6);
+  EXPECT_NEAR(static_cast<double>(found.reachability.samples.size()), 200, 20);
+}
+
+/// Marks are contradicted where the arm could have felt more, not wherever there is more.
+TEST(RunJudgement, OfAnArmContradictsOnlyMarksThatItCouldFeelBeyond) {
+  RunJudgementOptions options = usual();
+  options.arm = hindered_arm();
+  options.arm_samples = 200;
+  const simulation::Mesh mesh = testing::cube();
+  const int near = testing::face_at(mesh, -Vector3d::UnitX(), {0, 0.5, 0.5});
+  const int far = testing::face_at(mesh, Vector3d::UnitX(), {1, 0.5, 0.5});
+  const auto marked = [&](int face, double x) {
+    FollowingRun run = run_of(model_of(mesh, [&](int f) { return f != face; }));
+    run.marks = {{{x, 0, 1}, {x, 1, 1}, -Vector3d::UnitZ()}};
+    return judge_run(mesh, run, options).false_unreachable;
+  };
+  EXPECT_EQ(marked(near, 0), 1u);
+  EXPECT_EQ(marked(far, 1), 0u);
+}
+
 TEST(RunJudgement, RefusesWhatIsOutOfRange) {
   const simulation::Mesh mesh = testing::cube();
   const FollowingRun run = run_of(io::testing::cube());
@@ -210,6 +255,8 @@ TEST(RunJudgement, RefusesWhatIsOutOfRange) {
   EXPECT_THROW(with([](auto& o) { o.sensing.range = 0; }), std::invalid_argument);
   EXPECT_THROW(with([](auto& o) { o.spacing = -1; }), std::invalid_argument);
   EXPECT_THROW(with([](auto& o) { o.tour = true, o.ceiling = 0; }), std::invalid_argument);
+  EXPECT_THROW(with([](auto& o) { o.arm = hindered_arm(), o.tour = true; }), std::invalid_argument);
+  EXPECT_THROW(with([](auto& o) { o.arm = hindered_arm(), o.arm_samples = 0; }), std::invalid_argument);
   EXPECT_THROW(judge_run(mesh, FollowingRun{{}, run.model, {}}, usual()), std::invalid_argument);
 }
 
