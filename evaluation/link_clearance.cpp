@@ -2,6 +2,7 @@
 //
 // Shares no code with what keeps links away in a run, but for where links are.
 #include <limpet/evaluation/link_clearance.hpp>
+#include <limpet/evaluation/moved_body_internal.hpp>
 
 #include <algorithm>
 #include <array>
@@ -10,82 +11,11 @@
 #include <vector>
 
 namespace limpet::evaluation {
-namespace internal {
-
-/// Of a link.
-struct WatchedPart {
-  std::size_t link;
-  model::Capsule capsule;  ///< in the link's frame
-};
-
-}  // namespace internal
-
 namespace {
 
-using Eigen::Vector3d;
 using kinematics::Configuration;
 using kinematics::Posture;
 using kinematics::Robot;
-using Part = internal::WatchedPart;
-
-bool is_moved_by_a_joint(const Robot& robot, std::size_t link) {
-  if (robot.links[link].joint.kind != kinematics::Joint::Kind::fixed) return true;
-  return robot.links[link].parent && is_moved_by_a_joint(robot, *robot.links[link].parent);
-}
-
-model::Capsule in_world(const Part& part, const Posture& posture) {
-  return {posture.link(part.link) * part.capsule.a, posture.link(part.link) * part.capsule.b,
-          part.capsule.radius};
-}
-
-/// Distance between two segments: at ends, or between interior points where these are nearest.
-double distance_of_axes(const model::Capsule& p, const model::Capsule& q) {
-  const auto to = [](const Vector3d& x, const model::Capsule& c) {
-    const Vector3d along = c.b - c.a;
-    const double length2 = along.squaredNorm();
-    const double t = length2 > 0 ? std::clamp((x - c.a).dot(along) / length2, 0.0, 1.0) : 0;
-    return (c.a + t * along - x).norm();
-  };
-  double least = std::min({to(p.a, q), to(p.b, q), to(q.a, p), to(q.b, p)});
-  const Vector3d u = p.b - p.a, v = q.b - q.a, normal = u.cross(v);
-  const double n2 = normal.squaredNorm();
-  if (n2 > 0) {
-    const Vector3d between = q.a - p.a;
-    const double s = between.cross(v).dot(normal) / n2, t = between.cross(u).dot(normal) / n2;
-    if (s > 0 && s < 1 && t > 0 && t < 1)
-      least = std::min(least, std::abs(between.dot(normal)) / std::sqrt(n2));
-  }
-  return least;
-}
-
-/// The first link of the rigid body, of links with fixed joints between them, that a link is part of.
-std::size_t rigid_body_of(const Robot& robot, std::size_t link) {
-  while (robot.links[link].joint.kind == kinematics::Joint::Kind::fixed && robot.links[link].parent)
-    link = *robot.links[link].parent;
-  return link;
-}
-
-bool are_one_or_joined(const Robot& robot, std::size_t link, std::size_t other) {
-  const std::size_t one = rigid_body_of(robot, link), two = rigid_body_of(robot, other);
-  const auto is_on = [&](std::size_t body, std::size_t carrier) {
-    const auto& parent = robot.links[body].parent;
-    return parent && rigid_body_of(robot, *parent) == carrier;
-  };
-  return one == two || is_on(one, two) || is_on(two, one);
-}
-
-bool overlap(const Part& p, const Part& q, const Posture& posture) {
-  return distance_of_axes(in_world(p, posture), in_world(q, posture)) <= p.capsule.radius + q.capsule.radius;
-}
-
-/// All joints at 0, or at the limit nearest to it.
-Configuration at_rest(const Robot& robot) {
-  std::vector<double> positions;
-  for (const auto& link : robot.links)
-    if (link.joint.kind != kinematics::Joint::Kind::fixed)
-      positions.push_back(std::max(link.joint.low, std::min(0.0, link.joint.high)));
-  return Eigen::Map<Configuration>(positions.data(), std::ssize(positions));
-}
 
 /// The smallest distances, and of which links.
 struct Nearest {
@@ -101,53 +31,35 @@ struct LinkWatch::Inside {
   const Robot& robot;
   const TrueSurface& truth;
   double fineness;
-  std::vector<internal::WatchedPart> parts;
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  MovedBody body;
 
   /// Takes account of one more configuration.
   void look(const Configuration& at, Nearest& nearest) const {
-    const Posture posture(robot, at);
-    std::vector<model::Capsule> capsules;
-    for (const Part& part : parts) capsules.push_back(in_world(part, posture));
-    for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::vector<model::Capsule> capsules = body.in_world(Posture(robot, at));
+    const auto link = [&](std::size_t i) { return body.parts()[i].link; };
+    for (std::size_t i = 0; i < capsules.size(); ++i) {
       const double distance = truth.distance_along(capsules[i].a, capsules[i].b) - capsules[i].radius;
-      if (distance < nearest.to_surface) nearest.to_surface = distance, nearest.link = parts[i].link;
+      if (distance < nearest.to_surface) nearest.to_surface = distance, nearest.link = link(i);
     }
-    for (const auto& [i, j] : pairs) {
-      const double distance =
-          distance_of_axes(capsules[i], capsules[j]) - capsules[i].radius - capsules[j].radius;
-      if (distance < nearest.to_itself)
-        nearest.to_itself = distance, nearest.links = {parts[i].link, parts[j].link};
-    }
+    for (const auto& [i, j] : body.pairs())
+      if (const double gap = gap_between(capsules[i], capsules[j]); gap < nearest.to_itself)
+        nearest.to_itself = gap, nearest.links = {link(i), link(j)};
   }
 
   /// A bound on how far any point of a part gets from where it was: a turn takes it by more than its ends are
   /// apart, by less than twice for turns up to half a circle.
   double farthest(const Configuration& from, const Configuration& to) const {
-    const Posture one(robot, from), other(robot, to);
+    const auto one = body.in_world(Posture(robot, from)), other = body.in_world(Posture(robot, to));
     double most = 0;
-    for (const Part& part : parts) {
-      const model::Capsule p = in_world(part, one), q = in_world(part, other);
-      most = std::max({most, (p.a - q.a).norm(), (p.b - q.b).norm()});
-    }
+    for (std::size_t i = 0; i < one.size(); ++i)
+      most = std::max({most, (one[i].a - other[i].a).norm(), (one[i].b - other[i].b).norm()});
     return 2 * most;
   }
 };
 
 LinkWatch::LinkWatch(const Robot& robot, const TrueSurface& truth, double fineness,
                      const Configuration& first)
-    : inside_(new Inside{robot, truth, fineness, {}, {}}) {
-  auto& [unused, surface, fine, parts, pairs] = *inside_;
-  for (std::size_t i = 0; i < robot.links.size(); ++i)
-    if (is_moved_by_a_joint(robot, i))
-      for (const model::Capsule& capsule : robot.links[i].body) parts.push_back({i, capsule});
-  const Posture beginning(robot, first), rest(robot, at_rest(robot));
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    for (std::size_t j = i + 1; j < parts.size(); ++j)
-      if (!are_one_or_joined(robot, parts[i].link, parts[j].link) &&
-          !overlap(parts[i], parts[j], beginning) && !overlap(parts[i], parts[j], rest))
-        pairs.emplace_back(i, j);
-}
+    : inside_(new Inside{robot, truth, fineness, MovedBody(robot, first)}) {}
 
 LinkWatch::~LinkWatch() = default;
 

@@ -17,15 +17,34 @@ bool is_moved_by_a_joint(const Robot& robot, std::size_t link) {
   return robot.links[link].parent && is_moved_by_a_joint(robot, *robot.links[link].parent);
 }
 
-/// The link that a link hangs on, past those without extent.
-std::optional<std::size_t> carrier_of(const Robot& robot, std::size_t link) {
-  std::optional<std::size_t> carrier = robot.links[link].parent;
-  while (carrier && robot.links[*carrier].body.empty()) carrier = robot.links[*carrier].parent;
+/// The first link of the rigid body, of links with fixed joints between them, that a link is part of.
+std::size_t rigid_body_of(const Robot& robot, std::size_t link) {
+  while (robot.links[link].joint.kind == kinematics::Joint::Kind::fixed && robot.links[link].parent)
+    link = *robot.links[link].parent;
+  return link;
+}
+
+bool has_extent(const Robot& robot, std::size_t rigid_body) {
+  for (std::size_t i = 0; i < robot.links.size(); ++i)
+    if (!robot.links[i].body.empty() && rigid_body_of(robot, i) == rigid_body) return true;
+  return false;
+}
+
+/// The rigid body that one hangs on, past those without extent.
+std::optional<std::size_t> carrier_of(const Robot& robot, std::size_t rigid_body) {
+  const auto next = [&](std::size_t body) -> std::optional<std::size_t> {
+    const auto parent = robot.links[body].parent;
+    if (!parent) return std::nullopt;
+    return rigid_body_of(robot, *parent);
+  };
+  std::optional<std::size_t> carrier = next(rigid_body);
+  while (carrier && !has_extent(robot, *carrier)) carrier = next(*carrier);
   return carrier;
 }
 
-bool are_joined(const Robot& robot, std::size_t one, std::size_t other) {
-  return one == other || carrier_of(robot, one) == other || carrier_of(robot, other) == one;
+bool are_joined(const Robot& robot, std::size_t link, std::size_t other) {
+  const std::size_t one = rigid_body_of(robot, link), two = rigid_body_of(robot, other);
+  return one == two || carrier_of(robot, one) == two || carrier_of(robot, two) == one;
 }
 
 /// All joints at 0, or at the limit that is nearest to it.
