@@ -29,27 +29,31 @@ constexpr double kNarrow[] = {0.38, 0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[]
 }  // namespace
 
 AimChooser::AimChooser(const Parameters& parameters, const kinematics::Posture& posture, double step,
-                       Reaches reaches)
+                       Reaching reaching)
     : lambda_(parameters.resolution),
       height_(parameters.follow_distance),
       step_(step),
       here_(posture.control_point()),
-      reaches_(std::move(reaches)) {
+      reaching_(std::move(reaching)) {
   constexpr double kSure = 0.95;  // of the range: what is farther may just be missed
+  constexpr double kAtControlPoint = 2;  // λ: the others' axes turn too much on the way
   for (std::size_t i = 0; i < posture.robot().sensors.size(); ++i) {
     const auto sensor = posture.sensor(i);
+    if (reaching_ && (sensor.position - here_).norm() > kAtControlPoint * lambda_) continue;
     axes_.push_back({sensor.position - here_, sensor.axis, kSure * sensor.range});
+    sensors_.push_back(i);
   }
 }
 
 void AimChooser::add_candidates(const Target& target, const Search& search) {
-  for (const Ray& axis : axes_) {
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const Ray& axis = axes_[i];
     const double cosine = -axis.axis.dot(target.normal);
     if (cosine < search.least_cosine) continue;
     for (const double height : search.heights) {
       const double range = height * height_ / cosine;
       if (range <= axis.range)
-        candidates_.push_back({target.at - range * axis.axis - axis.from, axis.from, target, 0});
+        candidates_.push_back({target.at - range * axis.axis - axis.from, axis.from, sensors_[i], target, 0});
     }
   }
 }
@@ -81,17 +85,32 @@ bool AimChooser::is_good(const model::View& view, const Clearance& clearance, co
   return !hit;
 }
 
-/// What is near a place that is out of reach is taken to be so, too.
-bool AimChooser::is_reached(const Vector3d& place) {
-  constexpr double kNear = 0.7;  // λ
-  constexpr std::size_t kMostAsked = 10;
-  if (!reaches_) return true;
-  if (out_of_reach_.size() == kMostAsked) return false;
-  const auto is_near = [&](const Vector3d& other) { return (other - place).norm() < kNear * lambda_; };
-  if (std::any_of(out_of_reach_.begin(), out_of_reach_.end(), is_near)) return false;
-  if (reaches_(place)) return true;
-  out_of_reach_.push_back(place);
-  return false;
+/// The aim, its place moved until the axis meets the target in the posture in which the robot comes there:
+/// an arm turns on its way, and its axes with it. What is near a place out of reach is taken to be so, too.
+std::optional<Aim> AimChooser::reached(const Aim& wanted, const Search& search,
+                                       const std::function<bool(const Aim&)>& is_good) {
+  constexpr double kNear = 0.7, kMet = 0.3;  // λ
+  constexpr int kMostAsked = 12, kCorrections = 2;
+  if (!reaching_) return wanted;
+  const auto is_near = [&](const Vector3d& other) { return (other - wanted.place).norm() < kNear * lambda_; };
+  if (std::any_of(out_of_reach_.begin(), out_of_reach_.end(), is_near)) return std::nullopt;
+  const double range = (wanted.target.at - wanted.place - wanted.sensor).norm();
+  Aim aim = wanted;
+  for (int i = 0; i <= kCorrections && asked_ < kMostAsked; ++i) {
+    ++asked_;
+    const auto posture = reaching_(aim.place);
+    if (!posture) break;
+    const auto sensor = posture->sensor(aim.axis);
+    const Vector3d way = aim.target.at - sensor.position;
+    const Vector3d along = way.dot(sensor.axis) * sensor.axis;
+    if (-sensor.axis.dot(aim.target.normal) < search.least_cosine) return std::nullopt;
+    if ((way - along).norm() < kMet * lambda_ && way.dot(sensor.axis) > 0) return aim;
+    aim.sensor = sensor.position - posture->control_point();
+    aim.place = aim.target.at - range * sensor.axis - aim.sensor;
+    if (!is_good(aim)) return std::nullopt;
+  }
+  out_of_reach_.push_back(wanted.place);
+  return std::nullopt;
 }
 
 std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& clearance,
@@ -114,8 +133,11 @@ std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& 
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Aim& a, const Aim& b) { return a.value > b.value; });
   for (const double margin : search.margins)
-    for (const Aim& aim : candidates_)
-      if (is_good(view, clearance, planes, aim, margin) && is_reached(aim.place)) return aim;
+    for (const Aim& aim : candidates_) {
+      const auto good = [&](const Aim& a) { return is_good(view, clearance, planes, a, margin); };
+      if (!good(aim)) continue;
+      if (auto found = reached(aim, search, good)) return found;
+    }
   return std::nullopt;
 }
 

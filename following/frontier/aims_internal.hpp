@@ -18,6 +18,7 @@ namespace limpet::following::internal {
 struct Aim {
   Eigen::Vector3d place;
   Eigen::Vector3d sensor;  ///< the place of the axis's sensor, from the control point
+  std::size_t axis = 0;    ///< the number of the sensor
   Target target;
   double value = 0;  ///< what the readings there are worth, over the root of the steps to get there
 };
@@ -26,12 +27,12 @@ struct Aim {
 /// near by are compared by the targets and the new ground that all axes meet there.
 class AimChooser {
  public:
-  /// Can the robot take its control point to a place?
-  using Reaches = std::function<bool(const Eigen::Vector3d& place)>;
+  /// The posture in which the robot comes to a place, if it can take its control point there.
+  using Reaching = std::function<std::optional<kinematics::Posture>(const Eigen::Vector3d& place)>;
 
-  /// `step`: how far the control point moves in one step. `reaches`: asked about few of the best places;
-  /// none: it reaches all.
-  AimChooser(const Parameters& parameters, const kinematics::Posture&, double step, Reaches reaches = {});
+  /// `step`: how far the control point moves in one step. `reaching`: asked about few of the best places;
+  /// none: it reaches all, without turning.
+  AimChooser(const Parameters& parameters, const kinematics::Posture&, double step, Reaching reaching = {});
 
   /// The best aim that the control point can go to in a straight line, with some room to spare if there is
   /// such an aim, else keeping clear, and that the robot reaches; none if there is none.
@@ -49,13 +50,15 @@ class AimChooser {
   /// from there?
   bool is_good(const model::View&, const Clearance&, const ExpectedPlanes&, const Aim&, double margin) const;
 
-  bool is_reached(const Eigen::Vector3d& place);
+  std::optional<Aim> reached(const Aim&, const Search&, const std::function<bool(const Aim&)>& is_good);
 
   double lambda_, height_, step_;
   Eigen::Vector3d here_;
-  std::vector<Ray> axes_;  ///< from the control point as origin
-  Reaches reaches_;
-  std::vector<Eigen::Vector3d> out_of_reach_;  ///< places that were asked about
+  std::vector<Ray> axes_;              ///< from the control point as origin
+  std::vector<std::size_t> sensors_;   ///< of the axes
+  Reaching reaching_;
+  int asked_ = 0;                              ///< times that it was asked
+  std::vector<Eigen::Vector3d> out_of_reach_;  ///< places
   std::vector<Aim> candidates_;
 };
 

@@ -55,7 +55,8 @@ class FrontierFollower : public Follower {
   void note_empty(const std::vector<Ray>&);
   void look_around(const Observation&);
   void look_around_points(const View&, const Vector3d& here);
-  void close_aim(const Vector3d& here, bool has_moved);
+  bool has_arrived(const kinematics::Posture&) const;
+  void close_aim(const kinematics::Posture&, bool has_moved);
   Motion go_on(const Observation&);
   void give_up_what_is_near();
   Motion travel(const Observation&, bool has_moved);
@@ -155,11 +156,23 @@ void FrontierFollower::look_around(const Observation& seen) {
   planes_.emplace(lambda(), outlook_);
 }
 
+/// Is the control point where it was to be, and does the axis go through the target from there? A point robot
+/// does not turn.
+bool FrontierFollower::has_arrived(const kinematics::Posture& posture) const {
+  constexpr double kThere = 0.05, kTurnedThere = 0.15, kMet = 0.4;  // λ
+  const double off = (posture.control_point() - aim_->place).norm();
+  if (!links()) return off < kThere * lambda();
+  const auto sensor = posture.sensor(aim_->axis);
+  const Vector3d way = aim_->target.at - sensor.position;
+  return off < kTurnedThere * lambda() &&
+         (way - way.dot(sensor.axis) * sensor.axis).norm() < kMet * lambda();
+}
+
 /// Drops an aim that has been reached, or that cannot be.
-void FrontierFollower::close_aim(const Vector3d& here, bool has_moved) {
+void FrontierFollower::close_aim(const kinematics::Posture& posture, bool has_moved) {
   if (!aim_) return;
   const Target aimed = aim_->target;
-  const bool has_arrived = (here - aim_->place).norm() < 0.05 * lambda();
+  const bool has_arrived = this->has_arrived(posture);
   const bool still = std::any_of(outlook_.targets.begin(), outlook_.targets.end(), [&](const Target& t) {
     return (t.at - aimed.at).norm() < 0.3 * lambda() && t.normal.dot(aimed.normal) > 0.9;
   });
@@ -172,9 +185,10 @@ void FrontierFollower::close_aim(const Vector3d& here, bool has_moved) {
 
 /// The next step to the best aim near by.
 Motion FrontierFollower::go_on(const Observation& seen) {
-  internal::AimChooser::Reaches reaches;
-  if (LinkMotion* links = judge()) reaches = [links](const Vector3d& place) { return links->reaches(place); };
-  internal::AimChooser chooser(parameters(), seen.posture, step(seen), reaches);
+  internal::AimChooser::Reaching reaching;
+  if (LinkMotion* links = judge())
+    reaching = [links](const Vector3d& place) { return links->reaching(place); };
+  internal::AimChooser chooser(parameters(), seen.posture, step(seen), reaching);
   aim_ = chooser.choose(seen.model.view(), clearance(), outlook_.targets, *planes_);
   if (!aim_) return {};
   memory_.note_aimed(aim_->target.at, aim_->target.normal);
@@ -293,7 +307,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
   look_at_what_was_read(seen);
   look_around(seen);
   clearance().suspect(outlook_.suspected);
-  close_aim(here, has_moved);
+  close_aim(seen.posture, has_moved);
   if (!outlook_.targets.empty()) {
     if (const Motion motion = go_on(seen); motion.mode != Mode::none) {
       transit_->arrived();

@@ -89,8 +89,7 @@ Configuration LinkMotion::way_out() const {
   return best;
 }
 
-bool LinkMotion::reaches(const Vector3d& place) {
-  if (!is_checked()) return true;
+std::optional<Posture> LinkMotion::reaching(const Vector3d& place) {
   constexpr double kThere = 0.1;  // λ
   constexpr int kMoreSteps = 4;
   Posture posture = *posture_;
@@ -101,13 +100,13 @@ bool LinkMotion::reaches(const Vector3d& place) {
     if (left > parameters_.max_step) motion *= parameters_.max_step / left;
     const Configuration changes = programme_.changes(posture, motion, *obstacles_);
     const Posture there(guard_.robot(), posture.configuration() + changes);
-    if (!guard_.is_no_worse(there, posture, *obstacles_)) return false;
+    if (!guard_.is_no_worse(there, posture, *obstacles_)) return std::nullopt;
     posture = there;
     const double left_then = (place - posture.control_point()).norm();
-    if (--steps < 0 || left_then > left - 0.2 * motion.norm()) return false;
+    if (--steps < 0 || left_then > left - 0.2 * motion.norm()) return std::nullopt;
     left = left_then;
   }
-  return true;
+  return posture;
 }
 
 }  // namespace limpet::following

@@ -133,11 +133,13 @@ TEST(LinkMotion, WhatItReachesItReaches) {
     const Vector3d place = here + 0.2 * robots::random_axis(random);
     const Posture start(robot, at);
     motion.look({model, {}, start, {}});
-    if (!motion.reaches(place)) {
+    const auto reached = motion.reaching(place);
+    if (!reached) {
       ++no;
       continue;
     }
     ++yes;
+    EXPECT_LT((reached->control_point() - place).norm(), 0.01);
     for (int step = 0; step < 12; ++step) {
       const Posture posture(robot, at);
       motion.look({model, {}, posture, {}});
