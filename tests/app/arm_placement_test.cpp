@@ -186,5 +186,24 @@ TEST(ArmPlacement, AnObjectThatIsTooLargeIsToBeScaled) {
   }
 }
 
+/// A flange whose shape goes round the control point is always nearer to a surface than it may be.
+TEST(ArmPlacement, AControlPointWithinALinkIsToBePutFartherOut) {
+  kinematics::Robot arm = kinematics::arm();
+  kinematics::Link flange;
+  flange.name = "flange";
+  flange.parent = arm.control_point.link;
+  flange.mounting.translation() = arm.control_point.position;
+  flange.body = {{Vector3d::Zero(), Vector3d::Zero(), 0.15}};
+  arm.links.push_back(flange);
+  try {
+    place_beside(arm, world_of("cube", 1), options_for(0.2, 1));
+    FAIL() << "the flange is as large as the follow distance";
+  } catch (const simulation::MeshError& error) {
+    EXPECT_NE(std::string(error.what()).find("link 'flange': put it farther out by [control_point]"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace limpet::app
