@@ -119,7 +119,7 @@ TEST(ArmPlacement, RealRobotsFeelEachObjectAndAreClearOfIt) {
     const RobotFile file = read_robot(LIMPET_SOURCE_DIR "/robots/" + name + ".toml", paths);
     for (const std::string shape : {"cube", "L", "octahedron"})
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        SCOPED_TRACE(name + " " + shape + " " + std::to_string(seed));
+        SCOPED_TRACE(::testing::Message() << name << " " << shape << " " << seed);
         PlacementOptions options = options_for(file.sensing_range, seed);
         options.posture = file.start;
         expect_good(file.robot, world_of(shape, 0.3), options);
