@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limpet/io/text.hpp>
+#include <cstdio>
+#include <limits>
 #include <limpet/kinematics/body.hpp>
 #include <limpet/simulation/random_start.hpp>
 #include <limpet/survey/random.hpp>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "placed_object_internal.hpp"
@@ -124,6 +126,25 @@ std::vector<PairApart> pairs_of(const Robot& robot, const std::vector<kinematics
   return pairs;
 }
 
+/// The part of the body that the control point is so near to that it cannot be off a surface δ away from the
+/// control point, in any of many postures.
+std::optional<std::size_t> part_in_the_way(const Robot& robot, const PlacementOptions& options) {
+  constexpr int kTries = 50;
+  const auto body = kinematics::moving_body(robot, options.spared);
+  std::vector<double> farthest(body.size(), -std::numeric_limits<double>::infinity());
+  Random random(0x70617274u);
+  for (int i = 0; i < kTries; ++i) {
+    const Posture posture(robot, random_configuration(robot, random));
+    const model::Capsule point{posture.control_point(), posture.control_point(), 0};
+    for (std::size_t k = 0; k < body.size(); ++k)
+      farthest[k] =
+          std::max(farthest[k], kinematics::distance_between(kinematics::in_world(body[k], posture), point));
+  }
+  for (std::size_t k = 0; k < body.size(); ++k)
+    if (options.follow_distance + farthest[k] < options.link_distance) return body[k].link;
+  return std::nullopt;
+}
+
 /// What makes a posture one to begin with.
 class Beginning {
  public:
@@ -191,22 +212,31 @@ std::optional<Configuration> beginning(const Robot& standing, const Vector3d& st
   return std::nullopt;
 }
 
-[[noreturn]] void fail_to_place(double reach, const simulation::Bounds& bounds) {
+std::string two_digits(double number) {
+  char rounded[32];
+  std::snprintf(rounded, sizeof rounded, "%.2g", number);
+  return rounded;
+}
+
+std::string what_would_help(const Robot& robot, double suits, const PlacementOptions& options) {
+  if (const auto link = part_in_the_way(robot, options))
+    return "its control point is within or close to link '" + robot.links[*link].name +
+           "': put it farther out by [control_point] in a robot file (.toml)";
+  if (suits < 0.9 || suits > 3)
+    return "scale it by about " + two_digits(suits) +
+           " ('scale' in [world] of a scene file), and choose --resolution by the sensing range, a quarter "
+           "of it";
+  return "give another --seed or --start";
+}
+
+[[noreturn]] void fail_to_place(const Robot& robot, double reach, const simulation::Bounds& bounds,
+                                const PlacementOptions& options) {
   const Vector3d size = bounds.high - bounds.low;
-  const double suits = kSideOverReach * reach / size.maxCoeff();
-  const auto text = [](double number) {
-    char rounded[32];
-    std::snprintf(rounded, sizeof rounded, "%.2g", number);
-    return std::string(rounded);
-  };
-  const std::string help = suits < 0.9 || suits > 3 ? "scale it by about " + text(suits) +
-                                                          " ('scale' in [world] of a scene file), and choose "
-                                                          "--resolution by the sensing range, a quarter of it"
-                                                    : std::string("give another --seed or --start");
   throw simulation::MeshError(
-      "the robot finds no place where it feels the object and is clear of it: it reaches " + text(reach) +
-      ", and the object measures " + text(size.x()) + " x " + text(size.y()) + " x " + text(size.z()) + ": " +
-      help);
+      "the robot finds no place where it feels the object and is clear of it: it reaches " +
+      two_digits(reach) + ", and the object measures " + two_digits(size.x()) + " x " + two_digits(size.y()) +
+      " x " + two_digits(size.z()) + ": " +
+      what_would_help(robot, kSideOverReach * reach / size.maxCoeff(), options));
 }
 
 }  // namespace
@@ -238,7 +268,7 @@ ArmPlacement place_beside(const Robot& robot, const simulation::BuiltWorld& worl
     if (const auto at = beginning(standing, start, wanted, options, random))
       return {std::move(standing), *at};
   }
-  fail_to_place(reach, wanted.bounds());
+  fail_to_place(robot, reach, wanted.bounds(), options);
 }
 
 }  // namespace limpet::app

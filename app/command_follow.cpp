@@ -23,6 +23,11 @@ namespace {
 
 void say_choice(const FollowArguments& args, const FollowSetup& setup) {
   if (args.quiet) return;
+  if (!setup.chosen_tip.empty())
+    std::fprintf(stderr,
+                 "limpet: the robot's tip is taken to be '%s', to which %zu joints move; a robot file "
+                 "(.toml) can name another\n",
+                 setup.chosen_tip.c_str(), setup.robot.joint_count());
   std::fprintf(stderr, "limpet: resolution %s, start %s,%s,%s, seed %llu\n",
                io::short_text(setup.model.resolution).c_str(), io::short_text(setup.start.x()).c_str(),
                io::short_text(setup.start.y()).c_str(), io::short_text(setup.start.z()).c_str(),

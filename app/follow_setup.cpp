@@ -79,7 +79,7 @@ RobotFile arm_of(const SceneRobot& robot, double resolution) {
   if (*robot.kind != "arm") return read_robot(*robot.kind, robot.package_paths);
   constexpr double kThesis = 0.05;
   const kinematics::ArmOptions options = kinematics::scaled({}, resolution / kThesis);
-  return {kinematics::arm(options), options.sensing_range, std::nullopt};
+  return {kinematics::arm(options), options.sensing_range, std::nullopt, ""};
 }
 
 kinematics::Robot point_robot_of(const SceneFile& scene, const following::Parameters& p, std::uint64_t seed) {
@@ -139,6 +139,7 @@ void place_arm(const SceneFile& scene, FollowSetup& setup) {
   options.seed = setup.seed;
   ArmPlacement placement = place_beside(arm.robot, setup.world, options);
   setup.robot = std::move(placement.robot);
+  setup.chosen_tip = arm.chosen_tip;
   if (scene.robot.ceiling_rad) setup.robot.ceilings.revolute_rad = *scene.robot.ceiling_rad;
   setup.configuration = std::move(placement.start);
   setup.start = kinematics::Posture(setup.robot, setup.configuration).control_point();

@@ -14,6 +14,7 @@
 #include <limpet/simulation/sensing.hpp>
 #include <limpet/simulation/world_description.hpp>
 #include <optional>
+#include <string>
 
 namespace limpet::app {
 
@@ -22,6 +23,7 @@ struct FollowSetup {
   simulation::BuiltWorld world;
   simulation::SensingErrors errors;
   kinematics::Robot robot;
+  std::string chosen_tip;                   ///< of an arm, as RobotFile has it
   Eigen::Vector3d start;                    ///< of the control point
   kinematics::Configuration configuration;  ///< of the robot, there
   /// How its links are kept off the surface; none: it has no links that could come near it.

@@ -148,6 +148,26 @@ std::string read_robot_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+std::string tip_of(const Robot& robot) { return robot.links[robot.control_point.link].name; }
+
+/// Says where in the robot file it is that does not fit the URDF.
+[[noreturn]] void fail_at(const TomlSection& file, const kinematics::UrdfOptionError& error) {
+  for (const std::string table : {"shapes", "locked", "locked_deg"}) {
+    const auto section = file.table(table);
+    if (section && section->has(error.name()) && table.starts_with(error.key()))
+      section->fail(error.name(), section->called(error.name()) + " does not fit " + error.what());
+  }
+  file.fail(error.key(), file.called(error.key()) + " does not fit " + error.what());
+}
+
+Robot read_urdf_of(const TomlSection& file, const std::string& urdf, const UrdfOptions& options) {
+  try {
+    return kinematics::read_urdf(urdf, options);
+  } catch (const kinematics::UrdfOptionError& error) {
+    fail_at(file, error);
+  }
+}
+
 /// A URDF with nothing beside it.
 RobotFile read_bare_urdf(const std::string& path, const std::vector<std::string>& package_paths) {
   UrdfOptions options;
@@ -155,6 +175,7 @@ RobotFile read_bare_urdf(const std::string& path, const std::vector<std::string>
   options.load_mesh = load_corners;
   RobotFile file;
   file.robot = kinematics::read_urdf(path, options);
+  file.chosen_tip = tip_of(file.robot);
   file.sensing_range = usual_range(file.robot);
   if (!(file.sensing_range > 0 && std::isfinite(file.sensing_range)))
     throw io::InputError(path,
@@ -180,7 +201,8 @@ RobotFile parse_robot(const std::string& text, const std::string& path,
   read_shapes(file, options);
   read_locked(file, options);
   RobotFile out;
-  out.robot = kinematics::read_urdf(find_urdf(file, path, options.package_paths), options);
+  out.robot = read_urdf_of(file, find_urdf(file, path, options.package_paths), options);
+  if (options.tip.empty()) out.chosen_tip = tip_of(out.robot);
   read_control_point(file, out.robot);
   out.sensing_range = read_range(file, out.robot);
   out.robot.sensors = file.has("sensors") ? internal::read_sensors(out.robot, file, out.sensing_range)

@@ -10,6 +10,7 @@
 
 #include "urdf_bodies_internal.hpp"
 #include "urdf_document_internal.hpp"
+#include "urdf_tip_internal.hpp"
 
 namespace limpet::kinematics {
 namespace {
@@ -63,6 +64,13 @@ class UrdfReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const { throw RobotError(path_ + ": " + what); }
+  [[noreturn]] void fail_option(const std::string& key, const std::string& name,
+                                const std::string& what) const {
+    throw UrdfOptionError(path_ + ": " + what, key, name);
+  }
+  [[noreturn]] void fail_locked(const urdf::Joint& joint, const std::string& what) const {
+    fail_option("locked", joint.name, "joint '" + joint.name + "': " + what);
+  }
   [[noreturn]] void fail(const urdf::Joint& joint, const std::string& what) const {
     fail("joint '" + joint.name + "': " + what);
   }
@@ -75,7 +83,8 @@ class UrdfReader {
     if (link) return link;
     std::vector<std::string> names;
     for (const auto& [known, unused] : model_->links_) names.push_back(known);
-    fail("has no link '" + name + "' to be the " + role + "; its links are " + listed(names));
+    fail_option(role, "",
+                "has no link '" + name + "' to be the " + role + "; its links are " + listed(names));
   }
 
   /// All links that the base carries, each after its parent, what hangs on one link together.
@@ -96,24 +105,30 @@ class UrdfReader {
   }
 
   std::size_t find_tip() const {
-    if (options_.tip.empty()) return farthest();
+    if (options_.tip.empty()) return chosen_tip();
     link_of_name(options_.tip, "tip");
     for (std::size_t i = 0; i < carried_.size(); ++i)
       if (name_of(i) == options_.tip) return i;
-    fail("the base '" + name_of(0) + "' does not carry the tip '" + options_.tip + "'");
+    fail_option("tip", "", "the base '" + name_of(0) + "' does not carry the tip '" + options_.tip + "'");
   }
 
-  std::size_t farthest() const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < carried_.size(); ++i)
-      if (carried_[i].depth > carried_[best].depth) best = i;
-    std::vector<std::string> equal;
-    for (std::size_t i = 0; i < carried_.size(); ++i)
-      if (carried_[i].depth == carried_[best].depth) equal.push_back(name_of(i));
-    if (equal.size() > 1)
-      fail("which link is the tip? " + listed(equal) + " are equally far from '" + name_of(0) +
-           "': name one as tip in a robot file (.toml)");
-    return best;
+  std::size_t chosen_tip() const {
+    const std::vector<std::size_t> best = internal::likely_tips(tip_candidates());
+    if (best.size() == 1) return best.front();
+    std::vector<std::string> names;
+    for (const std::size_t i : best) names.push_back(name_of(i));
+    fail("which link is the tip? " + listed(names) + " are equally far from '" + name_of(0) +
+         "': name one as tip in a robot file (.toml)");
+  }
+
+  std::vector<internal::TipCandidate> tip_candidates() const {
+    std::vector<internal::TipCandidate> candidates;
+    for (std::size_t i = 0; i < carried_.size(); ++i) {
+      const bool moves = i > 0 && can_move(joint_of(i)) && !joint_of(i).mimic;
+      const std::size_t before = i > 0 ? candidates[carried_[i].parent].moving_joints : 0;
+      candidates.push_back({name_of(i), carried_[i].depth, before + moves});
+    }
+    return candidates;
   }
 
   /// What the options name must be there: a slip of the pen in a name would go unseen.
@@ -121,11 +136,15 @@ class UrdfReader {
     for (const auto& [name, shape] : options_.shapes) {
       const auto is_it = [&name = name](const Carried& one) { return one.link->name == name; };
       if (std::none_of(carried_.begin(), carried_.end(), is_it))
-        fail("a shape is given for '" + name + "', which is no link that '" + name_of(0) + "' carries");
+        fail_option(
+            "shapes", name,
+            "a shape is given for '" + name + "', which is no link that '" + name_of(0) + "' carries");
     }
     for (const auto& [name, position] : options_.locked) {
-      if (!model_->getJoint(name)) fail("a position is given for '" + name + "', which is no joint");
-      if (!std::isfinite(position)) fail("the position of joint '" + name + "' must be finite");
+      if (!model_->getJoint(name))
+        fail_option("locked", name, "a position is given for '" + name + "', which is no joint");
+      if (!std::isfinite(position))
+        fail_option("locked", name, "the position of joint '" + name + "' must be finite");
     }
   }
 
@@ -157,7 +176,7 @@ class UrdfReader {
 
   Joint chain_joint(const urdf::Joint& joint) const {
     if (options_.locked.contains(joint.name))
-      fail(joint, "is on the chain to the tip, where joints move: no position can be given for it");
+      fail_locked(joint, "is on the chain to the tip, where joints move: no position can be given for it");
     if (joint.mimic)
       fail(joint,
            "mimics '" + joint.mimic->joint_name + "': on the chain to the tip each joint moves by itself");
@@ -202,7 +221,7 @@ class UrdfReader {
     const Joint limits = to_joint(joint);
     if (const auto given = options_.locked.find(joint.name); given != options_.locked.end()) {
       if (given->second < limits.low || given->second > limits.high)
-        fail(joint, "the position given for it is outside its limits");
+        fail_locked(joint, "the position given for it is outside its limits");
       return given->second;
     }
     if (!joint.mimic) return std::clamp(0.0, limits.low, limits.high);

@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace limpet::kinematics {
@@ -17,6 +18,19 @@ class RobotError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// One of UrdfOptions does not fit the file.
+class UrdfOptionError : public RobotError {
+ public:
+  /// `key`: base, tip, locked or shapes. `name`: of the joint that is locked, or the link that has a shape.
+  UrdfOptionError(const std::string& what, std::string key, std::string name)
+      : RobotError(what), key_(std::move(key)), name_(std::move(name)) {}
+  const std::string& key() const { return key_; }
+  const std::string& name() const { return name_; }
+
+ private:
+  std::string key_, name_;
+};
+
 /// Reads a mesh: the corners of its triangles, three after three, in its own frame and unit. What it throws
 /// is a std::exception that says in one line what is wrong.
 using MeshLoader = std::function<std::vector<Eigen::Vector3d>(const std::string& path)>;
@@ -24,8 +38,10 @@ using MeshLoader = std::function<std::vector<Eigen::Vector3d>(const std::string&
 /// What of a URDF is wanted, and what it does not say itself.
 struct UrdfOptions {
   std::string base{};  ///< link that stands still in the world; empty: the root
-  std::string
-      tip{};  ///< link at the end of the chain; empty: the one that is farthest from the base, in links
+  /// Link at the end of the chain. Empty: the one that is named as the tip of an arm is (tcp, tool0, ee,
+  /// flange, hand, in this order, or ending so), if at least half of the joints that can move are on its
+  /// chain; else the one with the most of these, and of several the farthest from the base, in links.
+  std::string tip{};
   std::vector<std::string> package_paths{};  ///< where meshes are sought, as find_robot_file() does
   /// Positions of joints that are not on the chain, by name: they are locked there. One that is not named is
   /// locked at 0, or at the limit nearest to it, and one that mimics another where that one puts it.
@@ -47,8 +63,9 @@ struct UrdfOptions {
 /// `<capsule>` as Drake has it, like a cylinder, is taken, too. Capsules within others are left out. What is
 /// for the eye (`<visual>`), masses and the like are not looked at.
 ///
-/// Throws RobotError when the file cannot be read or is no URDF; when base or tip are no links, or the tip is
-/// to be chosen among several; when a joint on the chain is planar, floating, mimics another, cannot move, or
+/// Throws RobotError when the file cannot be read or is no URDF; when the tip is
+/// to be chosen among several (UrdfOptionError: when base or tip are no links, or another option does not
+/// fit); when a joint on the chain is planar, floating, mimics another, cannot move, or
 /// none moves; and when a mesh is missing or damaged.
 Robot read_urdf(const std::string& path, const UrdfOptions&);
 

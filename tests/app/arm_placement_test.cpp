@@ -119,7 +119,7 @@ TEST(ArmPlacement, RealRobotsFeelEachObjectAndAreClearOfIt) {
     const RobotFile file = read_robot(LIMPET_SOURCE_DIR "/robots/" + name + ".toml", paths);
     for (const std::string shape : {"cube", "L", "octahedron"})
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        SCOPED_TRACE(name + " " + shape + " " + std::to_string(seed));
+        SCOPED_TRACE(::testing::Message() << name << " " << shape << " " << seed);
         PlacementOptions options = options_for(file.sensing_range, seed);
         options.posture = file.start;
         expect_good(file.robot, world_of(shape, 0.3), options);
@@ -183,6 +183,25 @@ TEST(ArmPlacement, AnObjectThatIsTooLargeIsToBeScaled) {
     const std::string what = error.what();
     EXPECT_NE(what.find("measures 60 x 60 x 60"), std::string::npos) << what;
     EXPECT_NE(what.find("scale it by about 0.01"), std::string::npos) << what;
+  }
+}
+
+/// A flange whose shape goes round the control point is always nearer to a surface than it may be.
+TEST(ArmPlacement, AControlPointWithinALinkIsToBePutFartherOut) {
+  kinematics::Robot arm = kinematics::arm();
+  kinematics::Link flange;
+  flange.name = "flange";
+  flange.parent = arm.control_point.link;
+  flange.mounting.translation() = arm.control_point.position;
+  flange.body = {{Vector3d::Zero(), Vector3d::Zero(), 0.15}};
+  arm.links.push_back(flange);
+  try {
+    place_beside(arm, world_of("cube", 1), options_for(0.2, 1));
+    FAIL() << "the flange is as large as the follow distance";
+  } catch (const simulation::MeshError& error) {
+    EXPECT_NE(std::string(error.what()).find("link 'flange': put it farther out by [control_point]"),
+              std::string::npos)
+        << error.what();
   }
 }
 

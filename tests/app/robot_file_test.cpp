@@ -253,7 +253,17 @@ TEST_F(RobotFileTest, WhatIsWrongIsOneLineThatSaysWhere) {
   EXPECT_NE(with_arm("[shapes.hand]\ncapsules = []\n").find("a shape is given for 'hand'"),
             std::string::npos);
   EXPECT_NE(with_arm("[locked]\njoint2a = 1\n").find("joint 'joint2a': is on the chain"), std::string::npos);
-  EXPECT_NE(with_arm("tip = \"hand\"\n").find("has no link 'hand' to be the tip"), std::string::npos);
+  const auto expect_unfit = [&](const std::string& more, const std::string& key, const std::string& what) {
+    const std::string said = with_arm("\n" + more);
+    EXPECT_TRUE(said.starts_with("robot.toml:" + key + " does not fit ")) << said;
+    EXPECT_NE(said.find("arm.urdf: " + what), std::string::npos) << said;
+  };
+  expect_unfit("tip = \"hand\"\n", "3: 'tip'", "has no link 'hand' to be the tip");
+  expect_unfit("base = \"hand\"\n", "3: 'base'", "has no link 'hand' to be the base");
+  expect_unfit("[shapes.hand]\ncapsules = []\n", "3: 'hand' in [shapes]", "a shape is given for 'hand'");
+  expect_unfit("[locked]\njoint9 = 1\n", "4: 'joint9' in [locked]", "a position is given for 'joint9'");
+  expect_unfit("[locked_deg]\njoint2a = 1\n", "4: 'joint2a' in [locked_deg]",
+               "joint 'joint2a': is on the chain");
 }
 
 TEST_F(RobotFileTest, WrongSensorsAreOneLineThatSaysWhere) {

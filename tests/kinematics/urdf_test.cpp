@@ -175,5 +175,28 @@ TEST(Urdf, WhatIsForTheEyeOrForDynamicsIsNotLookedAt) {
   EXPECT_EQ(parse(text).joint_count(), 1u);
 }
 
+std::string chosen_tip(const std::string& links_and_joints) {
+  const Robot robot = parse(robot_of(links_and_joints));
+  return robot.links[robot.control_point.link].name;
+}
+
+/// Where nobody names the tip, it is the link that is named as one, or the end of the chain that moves most.
+TEST(Urdf, TheTipIsTheOneThatIsNamedSoOrThatMovesMost) {
+  const std::string arm = link("a") + link("b") + link("c") + joint("ab", "continuous", "a", "b") +
+                          joint("bc", "continuous", "b", "c");
+  const std::string camera =
+      link("eye") + link("lens") + joint("ae", "fixed", "a", "eye") + joint("el", "fixed", "eye", "lens");
+  EXPECT_EQ(chosen_tip(arm + camera), "c") << "as far as the lens, but more joints";
+  const std::string flange = link("flange") + joint("cf", "fixed", "c", "flange");
+  const std::string plate = link("plate") + joint("cp", "fixed", "c", "plate");
+  EXPECT_EQ(chosen_tip(arm + flange + plate), "flange");
+  const std::string tool = link("arm_tool0") + joint("ct", "fixed", "c", "arm_tool0");
+  EXPECT_EQ(chosen_tip(arm + flange + plate + tool), "arm_tool0") << "a better name";
+  const std::string finger = link("finger") + joint("ff", "continuous", "flange", "finger");
+  EXPECT_EQ(chosen_tip(arm + flange + finger), "flange") << "not the finger, that moves more";
+  EXPECT_EQ(chosen_tip(arm + plate + link("tcp") + joint("at", "fixed", "a", "tcp")), "plate")
+      << "a name at the foot of the arm is another's";
+}
+
 }  // namespace
 }  // namespace limpet::kinematics
