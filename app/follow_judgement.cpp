@@ -38,7 +38,8 @@ evaluation::RunJudgement judge_by_truth(const FollowSetup& setup, const FollowOu
   options.ceiling = setup.robot.ceilings.prismatic;
   options.tour = with_tour && !setup.links;
   if (setup.links)
-    options.arm = evaluation::PlacedArm{setup.robot, setup.configuration, outcome.way};
+    options.arm = evaluation::PlacedArm{setup.robot, setup.configuration, outcome.way,
+                                        setup.following.resolution, setup.links->spared};
   else
     options.sensing = evaluation::sensing_of(kinematics::Posture(setup.robot, setup.configuration));
   return evaluation::judge_run(

@@ -37,7 +37,9 @@ ArmClearances clearances_of(const ArmSearchOptions& options, const simulation::M
                             const TrueSurface& truth, const PlacedArm& arm) {
   ArmClearances clearances;
   clearances.control_point = options.control_clearance;
-  clearances.links = clearances.own = options.link_clearance;
+  clearances.links = options.link_clearance;
+  clearances.own = options.resolution / 10;
+  clearances.spared = options.spared;
   clearances.fineness = kFineness * options.resolution;
   clearances.slide =
       simulation::bounds_of(mesh).diagonal() + truth.distance(Posture(arm.robot, arm.start).control_point());

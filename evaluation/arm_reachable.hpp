@@ -21,13 +21,16 @@ struct PlacedArm {
   /// Configurations that follow each other from the start, as those of a run: what is clear of them is taken
   /// into the roadmap. May be empty.
   std::vector<kinematics::Configuration> known;
+  double link_clearance = 0;  ///< as of ArmSearchOptions
+  double spared = 0;
 };
 
 /// How it is sought what an arm can feel. Lengths in the scan's unit.
 struct ArmSearchOptions {
   double resolution = 0;         ///< λ; > 0
   double control_clearance = 0;  ///< δ − λ: of the control point from the surface; > 0
-  double link_clearance = 0;     ///< of links from the surface and from each other; 0: λ/10
+  double link_clearance = 0;     ///< of links from the surface; 0: λ/10
+  double spared = 0;  ///< of the control point's link what is this near to it keeps λ/10 only; ≥ 0
   double least_cosine = 0.087;   ///< of the angle of incidence, as in Sensing
   std::uint64_t seed = 1;
 };
@@ -49,7 +52,7 @@ struct ArmReachability {
 ///     configurations, and in which any of its sensors sees the sample: along its axis, within its range,
 ///     with no more than the largest incidence, nothing between. Clear: the control point keeps δ − λ from
 ///     the surface, all that joints move keeps the links' clearance from it, links that are not joined keep
-///     the same from each other, and joints keep their limits;
+///     λ/10 from each other, and joints keep their limits;
 ///   - ruled out (Verdict::no) when it is out of reach: farther from where the joints begin than sensors get
 ///     and sense; or, if all sensors are at the control point, when no place from which anything could be
 ///     seen is one that a point robot gets to (FreeSpace);

@@ -37,6 +37,23 @@ Eigen::VectorXd between(const Robot& robot, const MovedPart& one, const MovedPar
   return levers;
 }
 
+/// What of a capsule's axis is outside a ball: the pieces before it and behind it.
+std::vector<model::Capsule> outside(const model::Capsule& capsule, const Eigen::Vector3d& centre,
+                                    double radius) {
+  const Eigen::Vector3d along = capsule.b - capsule.a, off = centre - capsule.a;
+  const double length = along.norm();
+  if (length == 0) return off.norm() < radius ? std::vector<model::Capsule>{} : std::vector{capsule};
+  const double foot = off.dot(along) / length, aside2 = off.squaredNorm() - foot * foot;
+  const double half2 = radius * radius - aside2;
+  if (half2 <= 0) return {capsule};
+  const double enters = foot - std::sqrt(half2), leaves = foot + std::sqrt(half2);
+  const auto at = [&](double t) { return Eigen::Vector3d(capsule.a + t / length * along); };
+  std::vector<model::Capsule> pieces;
+  if (enters > 0) pieces.push_back({capsule.a, at(std::min(enters, length)), capsule.radius});
+  if (leaves < length) pieces.push_back({at(std::max(leaves, 0.0)), capsule.b, capsule.radius});
+  return pieces;
+}
+
 /// Part of a straight way: what is within `half` of `middle`, and the guards that have yet to be proven
 /// there.
 struct Piece {
@@ -49,11 +66,20 @@ struct Piece {
 ArmSpace::ArmSpace(const Robot& robot, const TrueSurface& truth, const Configuration& start,
                    const ArmClearances& clearances)
     : robot_(robot), truth_(truth), clearances_(clearances), body_(robot, start) {
-  for (std::size_t i = 0; i < body_.parts().size(); ++i)
-    guards_.push_back({i, kSurface, clearances.links, levers_of(robot, body_.parts()[i])});
   const kinematics::ControlPoint& point = robot.control_point;
+  for (std::size_t i = 0; i < body_.parts().size(); ++i) {
+    const MovedPart& part = body_.parts()[i];
+    const bool has_spared = part.link == point.link && clearances.spared > 0;
+    guards_.push_back({i, kSurface, has_spared ? clearances.own : clearances.links, levers_of(robot, part)});
+    if (!has_spared) continue;
+    for (const model::Capsule& piece : outside(part.capsule, point.position, clearances.spared))
+      beyond_.push_back({part.link, piece});
+  }
   guards_.push_back({body_.parts().size(), kSurface, clearances.control_point,
                      joint_levers(robot, point.link, point.position)});
+  for (std::size_t i = 0; i < beyond_.size(); ++i)
+    guards_.push_back(
+        {body_.parts().size() + 1 + i, kSurface, clearances.links, levers_of(robot, beyond_[i])});
   for (const auto& [i, j] : body_.pairs())
     guards_.push_back({i, j, clearances.own, between(robot, body_.parts()[i], body_.parts()[j])});
   levers_ = Eigen::VectorXd::Zero(start.size());
@@ -79,6 +105,10 @@ std::vector<model::Capsule> ArmSpace::parts_at(const Configuration& at) const {
   const Posture posture(robot_, at);
   std::vector<model::Capsule> parts = body_.in_world(posture);
   parts.push_back({posture.control_point(), posture.control_point(), 0});
+  for (const auto& [link, capsule] : beyond_) {
+    const Eigen::Isometry3d& pose = posture.link(link);
+    parts.push_back({pose * capsule.a, pose * capsule.b, capsule.radius});
+  }
   return parts;
 }
 

@@ -14,6 +14,7 @@ namespace limpet::evaluation {
 struct ArmClearances {
   double control_point = 0;  ///< δ − λ: of the control point from the surface; > 0
   double links = 0;          ///< of all that joints move, from the surface; > 0
+  double spared = 0;         ///< of the control point's link what is this near to it keeps `own` instead; ≥ 0
   double own = 0;            ///< of links that are not joined, from each other; > 0
   /// A way on which a clearance is kept by less than half of this is not taken to be clear; > 0.
   double fineness = 0;
@@ -70,7 +71,8 @@ class ArmSpace {
   const kinematics::Robot& robot_;
   const TrueSurface& truth_;
   ArmClearances clearances_;
-  MovedBody body_;  ///< its parts come first, then the control point as one without extent
+  MovedBody body_;  ///< its parts come first, then the control point as one without extent, then:
+  std::vector<MovedPart> beyond_;  ///< what of the control point's link is not spared
   std::vector<Guard> guards_;
   Eigen::VectorXd levers_;           ///< the largest of each joint
   Eigen::VectorXd low_, high_;       ///< limits of joints

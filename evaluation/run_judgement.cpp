@@ -48,6 +48,8 @@ ArmSearchOptions search_of(const RunJudgementOptions& options) {
   ArmSearchOptions search;
   search.resolution = options.resolution;
   search.control_clearance = options.follow_distance - options.resolution;
+  search.link_clearance = options.arm->link_clearance;
+  search.spared = options.arm->spared;
   search.least_cosine = options.sensing.least_cosine;
   return search;
 }
