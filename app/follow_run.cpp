@@ -109,7 +109,7 @@ std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(co
     if (collisions_ && (outcome.collision = collisions_->look(at))) return "collision";
     if (motion.end != following::End::none) return std::string(following::name_of(motion.end));
     ++outcome.steps_in_mode[static_cast<std::size_t>(motion.mode)];
-    at += motion.changes;
+    at += simulation::moved(setup_.errors, motion.changes, set);
   }
   return "max-sets";
 }

@@ -43,12 +43,16 @@ SceneFile scene_of(const FollowArguments& args) {
 
 namespace {
 
-/// Throws UsageError when an error is said of a sensor that the robot does not have.
-void require_sensors(const kinematics::Robot& robot, const simulation::SensingErrors& errors) {
+/// Throws UsageError when an error is said of a sensor or joint that the robot does not have.
+void require_parts(const kinematics::Robot& robot, const simulation::SensingErrors& errors) {
   for (const auto& stuck : errors.stuck)
     if (stuck.sensor >= robot.sensors.size())
       throw UsageError("stuck in [errors]: the robot has no sensor " + std::to_string(stuck.sensor) +
                        "; its sensors are 0 to " + std::to_string(robot.sensors.size() - 1));
+  for (const auto& stuck : errors.stuck_joints)
+    if (stuck.joint >= robot.joint_count())
+      throw UsageError("stuck_joints in [errors]: the robot has no joint " + std::to_string(stuck.joint) +
+                       "; its joints are 0 to " + std::to_string(robot.joint_count() - 1));
 }
 
 double resolution_of(const SceneFile& scene, const simulation::BuiltWorld& world) {
@@ -91,15 +95,31 @@ kinematics::Robot point_robot_of(const SceneFile& scene, const following::Parame
       {p.sensing_range, ceiling, simulation::rotation_of(scene.robot.heading, seed)});
 }
 
-/// What the model is to expect of the readings: their own noise and that of where they are taken from.
-model::Parameters model_of(const SceneFile& scene, const simulation::BuiltWorld& world, double resolution) {
+/// What noise of the measured positions of revolute joints makes of readings at the control point, by what
+/// the joints move it in the posture of the start; of each coordinate.
+double noise_by_turns(const simulation::SensingErrors& errors, const kinematics::Posture& start) {
+  double squares = 0;
+  Eigen::Index k = 0;
+  const Eigen::Matrix3Xd jacobian = start.jacobian();
+  for (const kinematics::Link& link : start.robot().links) {
+    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
+    if (link.joint.kind == kinematics::Joint::Kind::revolute) squares += jacobian.col(k).squaredNorm();
+    ++k;
+  }
+  return errors.encoder_noise_rad * std::sqrt(squares / 3);
+}
+
+/// What the model is to expect of the readings: their own noise and that of where they are taken from, of
+/// which `turned_noise` comes from revolute joints.
+model::Parameters model_of(const SceneFile& scene, const simulation::BuiltWorld& world, double resolution,
+                           double turned_noise) {
   model::Parameters p;
   p.resolution = resolution;
   p.angle_rad = scene.parameters.angle_rad.value_or(p.angle_rad);
   if (!scene.parameters.noise && world.image.empty() == false && !world.truth)
     throw UsageError("how exact the points of a range image are is not known: give --noise");
   const survey::NoiseLaw noise = scene.parameters.noise.value_or(survey::NoiseLaw{scene.errors.noise, 0, 0});
-  p.noise = std::hypot(noise.fixed, scene.errors.encoder_noise);
+  p.noise = std::hypot(noise.fixed, std::hypot(scene.errors.encoder_noise, turned_noise));
   p.noise_per_range = noise.per_range;
   p.noise_per_range2 = noise.per_range2;
   p.tolerance = scene.parameters.tolerance.value_or(std::max(3 * p.noise, resolution / 5));
@@ -128,6 +148,10 @@ void place_arm(const SceneFile& scene, FollowSetup& setup) {
   setup.following.sensing_range = setup.following.stray_limit = arm.sensing_range;
   setup.links = following::usual_link_parameters(
       setup.following, scene.robot.avoidance.value_or(following::Redundancy::programme));
+  kinematics::RedundancyParameters& objective = setup.links->objective;
+  objective.gain = scene.robot.gain.value_or(objective.gain);
+  objective.exponent = scene.robot.exponent.value_or(objective.exponent);
+  objective.influence = scene.robot.influence.value_or(objective.influence);
   PlacementOptions options;
   options.object_place = scene.robot.object_place.value_or(options.object_place);
   options.follow_distance = setup.following.follow_distance;
@@ -159,7 +183,6 @@ FollowSetup make_setup(const SceneFile& scene) {
   setup.world = simulation::build_world(scene.world, setup.seed);
   const double resolution = resolution_of(scene, setup.world);
   setup.following = following_of(scene, resolution);
-  setup.model = model_of(scene, setup.world, resolution);
   setup.errors = scene.errors;
   setup.strategy = scene.strategy.value_or(following::Strategy::frontier);
   setup.max_sets = scene.max_sets.value_or(1'000'000);
@@ -167,7 +190,10 @@ FollowSetup make_setup(const SceneFile& scene) {
     place_point_robot(scene, setup);
   else
     place_arm(scene, setup);
-  require_sensors(setup.robot, scene.errors);
+  require_parts(setup.robot, scene.errors);
+  setup.model =
+      model_of(scene, setup.world, resolution,
+               noise_by_turns(scene.errors, kinematics::Posture(setup.robot, setup.configuration)));
   return setup;
 }
 

@@ -108,7 +108,7 @@ void read_initial(const TomlSection& file, WorldDescription& out) {
 
 void read_robot(const TomlSection& file, SceneRobot& out) {
   const auto robot =
-      file.section("robot", {"kind", "file", "package_path", "avoidance", "object", "sensing_range",
+      file.section("robot", {"kind", "file", "package_path", "avoidance", "gain", "exponent", "influence", "object", "sensing_range",
                              "ceiling", "ceiling_deg", "heading", "heading_deg"});
   if (!robot) return;
   robot->require_one({"kind", "file"}, false);
@@ -119,6 +119,11 @@ void read_robot(const TomlSection& file, SceneRobot& out) {
   if (const auto path = robot->file("file")) out.kind = path;
   for (const std::string& name : robot->texts("package_path").value_or(std::vector<std::string>{}))
     out.package_paths.push_back(robot->beside(name));
+  constexpr std::int64_t kMostExponent = 1000;
+  out.gain = robot->number("gain", Numbers::not_negative);
+  out.influence = robot->number("influence", Numbers::positive);
+  if (const auto exponent = robot->whole("exponent", 1, kMostExponent))
+    out.exponent = static_cast<int>(*exponent);
   if (const auto avoidance = robot->text("avoidance")) {
     if (*avoidance != "programme" && *avoidance != "thesis")
       robot->fail("avoidance", robot->called("avoidance") + " must be \"programme\" or \"thesis\"");
@@ -163,7 +168,7 @@ void read_parameters(const TomlSection& file, SceneParameters& out) {
 }
 
 void read_errors(const TomlSection& file, simulation::SensingErrors& out) {
-  const auto errors = file.section("errors", {"noise", "noise_at_angle", "dropouts", "outliers", "stuck",
+  const auto errors = file.section("errors", {"noise", "noise_at_angle", "dropouts", "outliers", "stuck", "stuck_joints",
                                               "encoder_noise", "encoder_noise_deg"});
   if (!errors) return;
   out.noise = errors->number("noise", Numbers::not_negative).value_or(0);
@@ -175,6 +180,11 @@ void read_errors(const TomlSection& file, simulation::SensingErrors& out) {
     stuck.require_one({"distance"}, true);
     out.stuck.push_back({static_cast<std::size_t>(*stuck.whole("sensor", 0, kAnyWhole)),
                          *stuck.number("distance", Numbers::not_negative)});
+  });
+  errors->each("stuck_joints", {"joint", "set"}, [&out](const TomlSection& stuck) {
+    stuck.require_one({"joint"}, true);
+    out.stuck_joints.push_back({static_cast<std::size_t>(*stuck.whole("joint", 0, kAnyWhole)),
+                                stuck.whole("set", 0, kAnyWhole).value_or(0)});
   });
   out.encoder_noise = errors->number("encoder_noise", Numbers::not_negative).value_or(0);
   out.encoder_noise_rad = in_radians(errors->number("encoder_noise_deg", Numbers::not_negative)).value_or(0);

@@ -21,6 +21,8 @@ struct SceneRobot {
   /// "point", "arm", or the path of a URDF or a robot file.
   std::optional<std::string> kind;
   std::optional<following::Redundancy> avoidance;  ///< how an arm's links are kept off the surface
+  std::optional<double> gain, influence;           ///< α and √(2 d₀) of (4); the latter in scan's unit
+  std::optional<int> exponent;                     ///< g of (4)
   std::optional<ObjectPlace> object_place;         ///< where the object is, as seen from an arm
   std::vector<std::string> package_paths;          ///< where what the robot's file names is sought
   std::optional<double> sensing_range;             ///< scan's unit

@@ -124,6 +124,9 @@ void put_robot(const SceneRobot& from, SectionText& robot) {
     robot.text("object", *from.object_place == ObjectPlace::on_ground ? "on_ground" : "in_reach");
   if (from.avoidance)
     robot.text("avoidance", *from.avoidance == following::Redundancy::thesis ? "thesis" : "programme");
+  if (from.gain) robot.number("gain", *from.gain);
+  if (from.exponent) robot.put("exponent", std::to_string(*from.exponent));
+  if (from.influence) robot.number("influence", *from.influence);
   if (from.sensing_range) robot.number("sensing_range", *from.sensing_range);
   if (from.ceiling) robot.number("ceiling", *from.ceiling);
   if (from.ceiling_rad) robot.angle("ceiling_deg", *from.ceiling_rad);
@@ -156,6 +159,11 @@ void put_errors(const simulation::SensingErrors& from, SectionText& errors) {
     stuck += (stuck.empty() ? "{ sensor = " : ", { sensor = ") + std::to_string(sensor) +
              ", distance = " + SectionText::shown(distance) + " }";
   if (!stuck.empty()) errors.put("stuck", "[" + stuck + "]");
+  std::string joints;
+  for (const auto& [joint, set] : from.stuck_joints)
+    joints += (joints.empty() ? "{ joint = " : ", { joint = ") + std::to_string(joint) +
+              ", set = " + std::to_string(set) + " }";
+  if (!joints.empty()) errors.put("stuck_joints", "[" + joints + "]");
   put("encoder_noise", from.encoder_noise);
   put("encoder_noise_deg", degrees_of(from.encoder_noise_rad));
 }

@@ -34,6 +34,13 @@ double growth_at_angle(double k, double cosine) {
 
 }  // namespace
 
+kinematics::Configuration moved(const SensingErrors& errors, kinematics::Configuration changes,
+                                std::int64_t set) {
+  for (const SensingErrors::StuckJoint& stuck : errors.stuck_joints)
+    if (set >= stuck.set) changes[static_cast<Eigen::Index>(stuck.joint)] = 0;
+  return changes;
+}
+
 void require_sound(const SensingErrors& errors) {
   require_not_negative(errors.noise, "the noise of readings");
   require_not_negative(errors.noise_at_angle, "the growth of noise with the angle");

@@ -12,7 +12,7 @@ namespace limpet::simulation {
 /// The most that grazing incidence multiplies the noise by.
 inline constexpr double kMostGrazingNoise = 10;
 
-/// What is wrong with a robot's range sensors and joint encoders. As it stands: nothing.
+/// What is wrong with a robot's range sensors, joint encoders and actuators. As it stands: nothing.
 struct SensingErrors {
   /// σ: standard deviation of a reading along its axis where it meets the surface head on; scan's unit, ≥ 0.
   double noise = 0;
@@ -29,10 +29,21 @@ struct SensingErrors {
   };
   std::vector<Stuck> stuck = {};
 
+  /// A joint that moves no more, whatever it is told, from a set on. Its encoder says where it is.
+  struct StuckJoint {
+    std::size_t joint = 0;
+    std::int64_t set = 0;  ///< counted from 0
+  };
+  std::vector<StuckJoint> stuck_joints = {};
+
   /// Standard deviation of the measured positions of prismatic joints (scan's unit), and of revolute ones.
   double encoder_noise = 0, encoder_noise_rad = 0;
   std::uint64_t seed = 1;
 };
+
+/// What becomes of changes of the joints that the robot is told after a set. Precondition: they are of the
+/// robot, and stuck joints are its joints.
+kinematics::Configuration moved(const SensingErrors&, kinematics::Configuration changes, std::int64_t set);
 
 /// Throws std::invalid_argument, in one line, when a standard deviation is negative or a fraction is not from
 /// 0 to 1.
