@@ -50,6 +50,7 @@ FollowOutcome FollowRun::go(const std::function<void(const FollowStep&)>& look) 
   outcome.ended = go_on(outcome, look);
   outcome.marks = follower_->marks();
   outcome.stuck_sensors = watch_.stuck();
+  if (const auto* links = follower_->links()) outcome.stuck_joints = links->stuck_joints();
   if (outcome.ended != "interrupted") finish(outcome);
   return outcome;
 }

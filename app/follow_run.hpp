@@ -38,6 +38,7 @@ struct FollowOutcome {
   std::int64_t readings = 0;
   std::array<std::int64_t, following::kModeCount> steps_in_mode{};
   following::Marks marks;                  ///< by the model before it was finished
+  std::vector<std::size_t> stuck_joints;   ///< that were held still, once they were found not to move
   std::vector<std::size_t> stuck_sensors;  ///< whose readings were left out, from when they were found stuck
   std::vector<double> step_us, model_us;   ///< step_us: empty when nothing was decided, in a replay
 };

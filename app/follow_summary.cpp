@@ -44,6 +44,7 @@ std::string to_json(const FollowSummary& s) {
   json["unreachable"] = run.marks.unreachable_segments.size() + run.marks.unreachable_edges.size();
   json["unclosable"] = run.marks.unclosable_edges.size();
   if (!run.stuck_sensors.empty()) json["stuck_sensors"] = run.stuck_sensors;
+  if (!run.stuck_joints.empty()) json["stuck_joints"] = run.stuck_joints;
   if (s.truth) {
     json["coverage"] = s.truth->coverage;
     json["coverage_total"] = s.truth->coverage_total;
@@ -110,6 +111,9 @@ std::string to_text(const FollowSummary& s) {
             " edges or segments as unreachable, " +
             io::grouped(static_cast<std::int64_t>(s.run.marks.unclosable_edges.size())) +
             " edges as unclosable\n";
+  for (const std::size_t joint : s.run.stuck_joints)
+    text += "joint " + std::to_string(joint) +
+            " did not move when it was told to: it was held still once that was seen\n";
   for (const std::size_t sensor : s.run.stuck_sensors)
     text += "sensor " + std::to_string(sensor) +
             " said the same distance wherever it was: its readings were left out once that was seen\n";

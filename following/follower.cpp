@@ -106,7 +106,9 @@ void Follower::make(const Observation& seen, Motion& motion) {
     motion.changes = links_ ? links_->changes(motion.displacement)
                             : kinematics::actuator_changes(seen.posture, motion.displacement);
   }
-  if (links_) motion.displacement = displacement_by(seen.posture, motion.changes);
+  if (!links_) return;
+  links_->told(motion.changes);
+  motion.displacement = displacement_by(seen.posture, motion.changes);
 }
 
 }  // namespace limpet::following

@@ -36,8 +36,10 @@ LinkParameters usual_link_parameters(const Parameters& p, Redundancy redundancy)
 }
 
 LinkMotion::LinkMotion(const kinematics::Robot& robot, const LinkParameters& p)
-    : parameters_(p),
-      guard_(robot, p),
+    : robot_(robot),
+      parameters_(p),
+      watch_(robot.joint_count()),
+      guard_(robot_, p),
       programme_(guard_, parameters_),
       readings_(kModelled * p.resolution),
       sensed_(cell_of(p)) {}
@@ -46,9 +48,26 @@ void LinkMotion::look(const Observation& seen) {
   const model::View view = seen.model.view();
   readings_.look(view, seen.readings);
   sensed_.add(seen, guard_.body(), parameters_.resolution);
-  posture_.emplace(seen.posture);
+  if (watch_.look(seen.posture.configuration())) hold_stuck_joints(seen.posture.configuration());
+  posture_.emplace(robot_, seen.posture.configuration());
   obstacles_.emplace(view, readings_.positions(), parameters_.reading_distance - parameters_.least_distance);
   clearance_ = obstacles_->clearance(*posture_, guard_.body(), parameters_.objective.influence);
+}
+
+/// Its encoder may say a little else each time.
+void LinkMotion::hold_stuck_joints(const Configuration& here) {
+  constexpr double kPlay = 1e-3;  // of the ceiling's kind: radians or lengths
+  const std::vector<std::size_t> stuck = watch_.stuck();
+  std::size_t k = 0;
+  for (kinematics::Link& link : robot_.links) {
+    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
+    if (std::binary_search(stuck.begin(), stuck.end(), k)) {
+      const double at = here[static_cast<Eigen::Index>(k)];
+      link.joint.low = std::max(link.joint.low, at - kPlay);
+      link.joint.high = std::min(link.joint.high, at + kPlay);
+    }
+    ++k;
+  }
 }
 
 Configuration LinkMotion::changes(const Vector3d& motion) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limpet/following/links/joint_watch.hpp>
 #include <limpet/following/links/link_guard.hpp>
 #include <limpet/following/links/link_parameters.hpp>
 #include <limpet/following/links/sensed_space.hpp>
@@ -26,10 +27,10 @@ namespace limpet::following {
 ///      from what readings tell that it does not have yet, where it does at its start; else it comes no
 ///      nearer, and leads away; or there is no motion;
 ///  (3) `thesis`: neither is checked, as in the thesis;
-///  (4) the same calls give the same changes.
+///  (4) a joint that is found to be stuck is held where it is;
+///  (5) the same calls give the same changes.
 class LinkMotion {
  public:
-  /// The robot must outlive it.
   LinkMotion(const kinematics::Robot&, const LinkParameters&);
   LinkMotion(const LinkMotion&) = delete;
   LinkMotion& operator=(const LinkMotion&) = delete;
@@ -42,6 +43,10 @@ class LinkMotion {
   /// Takes in what a set has told. To be called once for each set, in order, before anything is asked about
   /// it; all answers are for its posture. Its model must stay as it is as long as anything is asked.
   void look(const Observation&);
+  /// The changes that the robot is to make after this set, whoever has chosen them.
+  void told(const kinematics::Configuration& changes) { watch_.told(robot_, changes); }
+  /// The joints that did not do what they were told (JointWatch).
+  std::vector<std::size_t> stuck_joints() const { return watch_.stuck(); }
 
   // Precondition of all that follows: look() has been called.
 
@@ -63,8 +68,11 @@ class LinkMotion {
  private:
   kinematics::Configuration by_thesis(const Eigen::Vector3d& motion);
   kinematics::Configuration way_out() const;
+  void hold_stuck_joints(const kinematics::Configuration& here);
 
+  kinematics::Robot robot_;  ///< stuck joints have their limits where they are
   LinkParameters parameters_;
+  JointWatch watch_;
   LinkGuard guard_;
   StepProgramme programme_;
   UnmodelledReadings readings_;

@@ -1,0 +1,45 @@
+// Copyright the limpet authors. GPL-3.0-or-later.
+#include <limpet/following/links/joint_watch.hpp>
+
+#include <cmath>
+
+namespace limpet::following {
+
+using kinematics::Configuration;
+using kinematics::Joint;
+
+void JointWatch::told(const kinematics::Robot& robot, const Configuration& changes) {
+  constexpr double kFarEnough = 0.1;  // of the ceiling
+  told_ = changes;
+  matters_.clear();
+  Eigen::Index k = 0;
+  for (const kinematics::Link& link : robot.links) {
+    if (link.joint.kind == Joint::Kind::fixed) continue;
+    const double ceiling = link.joint.kind == Joint::Kind::prismatic ? robot.ceilings.prismatic
+                                                                     : robot.ceilings.revolute_rad;
+    matters_.push_back(std::abs(changes[k++]) > kFarEnough * ceiling);
+  }
+}
+
+bool JointWatch::look(const Configuration& now) {
+  constexpr int kSets = 3;
+  constexpr double kDone = 0.1;  // of what it was told
+  bool found = false;
+  for (std::size_t i = 0; i < matters_.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    if (!matters_[i] || stuck_[i]) continue;
+    idle_[i] = std::abs(now[k] - before_[k]) < kDone * std::abs(told_[k]) ? idle_[i] + 1 : 0;
+    if (idle_[i] >= kSets) found = stuck_[i] = true;
+  }
+  before_ = now;
+  return found;
+}
+
+std::vector<std::size_t> JointWatch::stuck() const {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < stuck_.size(); ++i)
+    if (stuck_[i]) result.push_back(i);
+  return result;
+}
+
+}  // namespace limpet::following
