@@ -107,8 +107,8 @@ void read_initial(const TomlSection& file, WorldDescription& out) {
 }
 
 void read_robot(const TomlSection& file, SceneRobot& out) {
-  const auto robot = file.section("robot", {"kind", "file", "avoidance", "sensing_range", "ceiling",
-                                            "ceiling_deg", "heading", "heading_deg"});
+  const auto robot = file.section("robot", {"kind", "file", "avoidance", "link_sensors", "sensing_range",
+                                            "ceiling", "ceiling_deg", "heading", "heading_deg"});
   if (!robot) return;
   robot->require_one({"kind", "file"}, false);
   out.kind = robot->text("kind");
@@ -120,6 +120,11 @@ void read_robot(const TomlSection& file, SceneRobot& out) {
     if (*avoidance != "programme" && *avoidance != "thesis")
       robot->fail("avoidance", robot->called("avoidance") + " must be \"programme\" or \"thesis\"");
     out.avoidance = *avoidance == "thesis" ? following::Redundancy::thesis : following::Redundancy::programme;
+  }
+  if (const auto sensors = robot->text("link_sensors")) {
+    if (*sensors != "range" && *sensors != "switches")
+      robot->fail("link_sensors", robot->called("link_sensors") + " must be \"range\" or \"switches\"");
+    out.link_sensors = parse_link_sensors("link_sensors", *sensors);
   }
   out.sensing_range = robot->number("sensing_range", Numbers::positive);
   out.ceiling = robot->number("ceiling", Numbers::positive);

@@ -20,6 +20,7 @@ struct SceneRobot {
   /// "point", "arm", or the path of a URDF or a robot file.
   std::optional<std::string> kind;
   std::optional<following::Redundancy> avoidance;  ///< how an arm's links are kept off the surface
+  std::optional<LinkSensors> link_sensors;         ///< of an arm
   std::vector<std::string> package_paths;          ///< where what the robot's file names is sought
   std::optional<double> sensing_range;             ///< scan's unit
   std::optional<double> ceiling;                   ///< γ of prismatic joints, scan's unit

@@ -19,6 +19,7 @@ class Everywhere : public World {
  public:
   Everywhere(double distance, double cosine = 1) : sighting_{distance, cosine} {}
   std::optional<Sighting> sight(const Vector3d&, const Vector3d&, double) const override { return sighting_; }
+  bool meets(const Vector3d&, double) const override { return true; }
 
  private:
   Sighting sighting_;
@@ -27,6 +28,7 @@ class Everywhere : public World {
 class Nothing : public World {
  public:
   std::optional<Sighting> sight(const Vector3d&, const Vector3d&, double) const override { return {}; }
+  bool meets(const Vector3d&, double) const override { return false; }
 };
 
 struct Moments {
