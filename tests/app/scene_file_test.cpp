@@ -57,6 +57,7 @@ two_sided = true
 mesh = "faces.off"
 [robot]
 kind = "point"
+link_sensors = "switches"
 sensing_range = 0.3
 ceiling = 0.06
 ceiling_deg = 90
@@ -94,6 +95,7 @@ encoder_noise_deg = 180
   EXPECT_TRUE(scene.world.two_sided);
   EXPECT_EQ(scene.world.initial_mesh, path("faces.off"));
   EXPECT_EQ(scene.robot.kind, "point");
+  EXPECT_EQ(scene.robot.link_sensors, LinkSensors::switches);
   EXPECT_EQ(scene.robot.sensing_range, 0.3);
   EXPECT_EQ(scene.robot.ceiling, 0.06);
   EXPECT_DOUBLE_EQ(*scene.robot.ceiling_rad, std::acos(0.0));
@@ -192,6 +194,8 @@ TEST_F(SceneFileTest, ValuesOfTheWrongKindAreErrors) {
   EXPECT_EQ(
       in("robot", "kind = \"leg\""),
       "scene.toml:4: 'kind' in [robot] must be \"point\" or \"arm\"; of a robot from a file give 'file'");
+  EXPECT_EQ(in("robot", "link_sensors = \"skin\""),
+            "scene.toml:4: 'link_sensors' in [robot] must be \"range\" or \"switches\"");
   EXPECT_EQ(in("robot", "avoidance = \"none\""),
             "scene.toml:4: 'avoidance' in [robot] must be \"programme\" or \"thesis\"");
   EXPECT_EQ(in("robot", "heading = \"north\""),
