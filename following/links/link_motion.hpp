@@ -28,9 +28,8 @@ namespace limpet::following {
 ///      nearer, and leads away; or there is no motion;
 ///  (3) `thesis`: neither is checked, as in the thesis;
 ///  (4) `programme`: along changes() a switch that sees something of which the model has nothing comes no
-///  nearer
-///      to the centre of its field, to first order, unless nothing else leads links away from what is too
-///      near (of what the model has it is known better where it is); `thesis`: links that have switches are
+///      nearer to the centre of its field, to first order, unless nothing else leads links away from what is
+///      too near (where the model has something it is known better); `thesis`: links that have switches are
 ///      led away by all that see something, and by these alone;
 ///  (5) the same calls give the same changes.
 class LinkMotion {

@@ -3,7 +3,7 @@
 // recorded run and its page, that are there already.
 import test, { after } from "node:test";
 import assert from "node:assert/strict";
-import { canView, closeBrowser, folder, open, program, replay, run, write } from "./browser.mjs";
+import { canView, closeBrowser, folder, follow, open, program, replay, run, write } from "./browser.mjs";
 import { cutRun, readModel, readRun } from "./files.mjs";
 import { random } from "./parts.mjs";
 import { readFileSync } from "node:fs";
@@ -147,7 +147,7 @@ test(
     const file = join(folder, "switches.run"),
       page_ = join(folder, "switches.html");
     const how = ["--robot", "arm", "--link-sensors", "switches", "--max-sets", "80"];
-    run("follow", "cube", ...how, "--record", file, "-o", join(folder, "s.limpet"), "--quiet");
+    follow("cube", ...how, "--record", file, "-o", join(folder, "s.limpet"), "--quiet");
     run("view", file, "-o", page_, "--quiet");
     const text = readFileSync(file, "utf8");
     const all = Number(text.match(/\nswitches (\d+)\n/)[1]);
