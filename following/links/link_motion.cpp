@@ -60,7 +60,7 @@ void LinkMotion::look(const Observation& seen) {
 
 Configuration LinkMotion::changes(const Vector3d& motion) {
   if (!is_checked()) return by_thesis(motion);
-  const Configuration changes = guard_.longest(
+  Configuration changes = guard_.longest(
       *posture_, programme_.changes(*posture_, motion, *obstacles_, unexplained_), *obstacles_);
   if (!changes.isZero() || guard_.is_clear(*posture_, *obstacles_)) return changes;
   return way_out();

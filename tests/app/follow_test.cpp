@@ -38,7 +38,8 @@ TEST_F(Follow, AnArmModelsACubeAndTouchesNothing) {
 TEST_F(Follow, AnArmWithSwitchesEndsAndDoesTheSameAgain) {
   for (const std::string scene : {"cube", "octahedron"})
     for (const std::string avoidance : {"programme", "thesis"}) {
-      SCOPED_TRACE(scene + ", " + avoidance);
+      SCOPED_TRACE(scene);
+      SCOPED_TRACE(avoidance);
       const auto once = [&](const std::string& name) {
         const auto result = follow({scene, "--robot", "arm", "--link-sensors", "switches", "--avoidance",
                                     avoidance, "--max-sets", "1500", "--record", path(name), "--json", "-"});
