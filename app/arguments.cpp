@@ -101,6 +101,12 @@ RedundancyArgument parse_redundancy(const std::string& option, const std::string
   return {numbers[0], numbers[1]};
 }
 
+LinkSensors parse_link_sensors(const std::string& option, const std::string& text) {
+  if (text == "range") return LinkSensors::range;
+  if (text == "switches") return LinkSensors::switches;
+  throw UsageError(option + " '" + text + "': give range or switches");
+}
+
 std::vector<std::pair<std::int64_t, std::int64_t>> parse_ranges(const std::string& option,
                                                                 const std::string& text) {
   std::vector<std::pair<std::int64_t, std::int64_t>> ranges;

@@ -30,6 +30,11 @@ struct RedundancyArgument {
 /// "N,F", both 0 or more. Throws UsageError.
 RedundancyArgument parse_redundancy(const std::string& option, const std::string& text);
 
+/// What the links of a robot are covered with, beside the sensors at its control point (thesis §3.3).
+enum class LinkSensors { range, switches };
+/// "range" or "switches". Throws UsageError.
+LinkSensors parse_link_sensors(const std::string& option, const std::string& text);
+
 /// "a", "a,b" or "a,b,c", all 0 or more. Throws UsageError.
 survey::ResolutionLaw parse_resolution(const std::string& option, const std::string& text);
 survey::NoiseLaw parse_noise(const std::string& option, const std::string& text);

@@ -148,6 +148,7 @@ int run(const FollowArguments& args) {
   judge.judge_model(follow.model(), sets);
   if (setup.world.truth) summary.truth = judge_by_truth(setup, summary.run, follow.model());
   summary.links = judge_links(setup, summary.run);
+  summary.has_switches = !setup.robot.switches.empty();
   return save_result(args, std::move(summary), follow.model(), judge, outputs);
 }
 

@@ -61,6 +61,7 @@ struct FollowArguments {
   std::vector<std::string> package_paths;  ///< where what the robot's file names is sought
   std::optional<following::Strategy> strategy;
   std::optional<following::Redundancy> avoidance;  ///< how an arm's links are kept off the surface
+  std::optional<LinkSensors> link_sensors;
   std::optional<Eigen::Vector3d> start;
   std::string initial;  ///< a mesh of faces known beforehand
   std::optional<double> resolution, noise, encoder_noise, angle_deg;

@@ -68,7 +68,7 @@ void FollowRun::finish(FollowOutcome& outcome) {
 simulation::Sensed FollowRun::sense(const kinematics::Configuration& at) {
   const simulation::Sensed all = sensing_.sense(setup_.robot, at);
   const kinematics::Posture posture(setup_.robot, all.measured);
-  simulation::Sensed good{all.measured, {}, {}};
+  simulation::Sensed good{all.measured, {}, {}, all.seeing};
   std::size_t next = 0;
   for (std::size_t sensor = 0; sensor < setup_.robot.sensors.size(); ++sensor) {
     const bool reads = next < all.sensors.size() && all.sensors[next] == sensor;
@@ -98,7 +98,7 @@ std::string FollowRun::go_on(FollowOutcome& outcome, const std::function<void(co
     outcome.model_us.push_back(microseconds_since(start));
     start = Clock::now();
     const kinematics::Posture posture(setup_.robot, sensed.measured);
-    const following::Observation seen{model_, changes, posture, sensed.points};
+    const following::Observation seen{model_, changes, posture, sensed.points, sensed.seeing};
     const following::Motion motion = follower_->next(seen);
     outcome.step_us.push_back(microseconds_since(start));
     if (const auto* links = follower_->links())

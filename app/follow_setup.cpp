@@ -21,6 +21,7 @@ SceneFile scene_of(const FollowArguments& args) {
   scene.robot.package_paths.insert(scene.robot.package_paths.begin(), args.package_paths.begin(),
                                    args.package_paths.end());
   if (args.avoidance) scene.robot.avoidance = args.avoidance;
+  if (args.link_sensors) scene.robot.link_sensors = args.link_sensors;
   if (args.resolution) scene.parameters.resolution = args.resolution;
   if (args.angle_deg) scene.parameters.angle_rad = *args.angle_deg * kDegree;
   if (args.redundancy) scene.parameters.redundancy = args.redundancy;
@@ -86,6 +87,15 @@ RobotFile arm_of(const SceneRobot& robot, double resolution) {
   return {kinematics::arm(options), options.sensing_range, std::nullopt, ""};
 }
 
+kinematics::Robot with_switches_on_links(const kinematics::Robot& robot) {
+  kinematics::Robot switched = kinematics::with_switches(robot);
+  if (switched.sensors.empty())
+    throw UsageError(
+        "link sensors: the robot has no range sensor at its control point: with switches on its links it "
+        "would have none");
+  return switched;
+}
+
 kinematics::Robot point_robot_of(const SceneFile& scene, const following::Parameters& p, std::uint64_t seed) {
   const double ceiling = scene.robot.ceiling.value_or(p.resolution);
   if (!(ceiling > 0 && ceiling < p.sensing_range))
@@ -131,6 +141,9 @@ model::Parameters model_of(const SceneFile& scene, const simulation::BuiltWorld&
 }
 
 void place_point_robot(const SceneFile& scene, FollowSetup& setup) {
+  if (scene.robot.link_sensors)
+    throw UsageError(
+        "link sensors are for robots with links, and the point robot has none: give --robot arm");
   setup.robot = point_robot_of(scene, setup.following, setup.seed);
   setup.start = scene.start
                     ? *scene.start
@@ -140,7 +153,8 @@ void place_point_robot(const SceneFile& scene, FollowSetup& setup) {
 
 /// An arm with another sensing range than what goes with λ is followed with by its own.
 void place_arm(const SceneFile& scene, FollowSetup& setup) {
-  const RobotFile arm = arm_of(scene.robot, setup.following.resolution);
+  RobotFile arm = arm_of(scene.robot, setup.following.resolution);
+  if (scene.robot.link_sensors == LinkSensors::switches) arm.robot = with_switches_on_links(arm.robot);
   if (arm.sensing_range <= setup.following.follow_distance)
     throw UsageError("the robot's sensors reach " + io::short_text(arm.sensing_range) +
                      ", no farther than the follow distance of " +

@@ -30,6 +30,7 @@ std::string to_json(const FollowSummary& s) {
   const FollowOutcome& run = s.run;
   json["sets"] = run.path.size();
   json["readings"] = run.readings;
+  if (s.has_switches) json["link_sensors"] = "switches";
   json["points_confirmed"] = s.model.confirmed;
   json["ended"] = run.ended;
   if (run.collision)

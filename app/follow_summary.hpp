@@ -16,6 +16,7 @@ struct FollowSummary {
   FollowOutcome run;
   std::optional<evaluation::RunJudgement> truth;   ///< where the true surface is known
   std::optional<evaluation::LinkClearance> links;  ///< and the robot has some
+  bool has_switches = false;                       ///< are its links covered with proximity switches?
   double seconds = 0;
 };
 

@@ -140,9 +140,10 @@ void refuse_with_replay(CLI::App& app, const FollowArguments& args) {
       if (args.scene.empty()) throw UsageError("give a SCENE, or --replay RUN; see limpet follow --help");
       return;
     }
-    for (const std::string name : {"SCENE", "--record", "--robot", "--package-path", "--avoidance",
-                                   "--strategy", "--start", "--initial", "--resolution", "--angle", "--noise",
-                                   "--encoder-noise", "--redundancy", "--max-sets", "--seed"})
+    for (const std::string name :
+         {"SCENE", "--record", "--robot", "--package-path", "--avoidance", "--link-sensors", "--strategy",
+          "--start", "--initial", "--resolution", "--angle", "--noise", "--encoder-noise", "--redundancy",
+          "--max-sets", "--seed"})
       if (app.count(name) > 0)
         throw UsageError("--replay RUN takes no " + name + ": the recorded run is modelled as it was");
   });
@@ -190,6 +191,11 @@ void add_follow(CLI::App& root, Command& chosen) {
                   throw UsageError("--collisions '" + text + "': give end or count");
                 args->count_collisions = text == "count";
               });
+  text_option(
+      app, "--link-sensors", "NAME",
+      "What an arm's links are covered with: range finders (range, the default) or proximity switches "
+      "(switches)",
+      [args](const std::string& text) { args->link_sensors = parse_link_sensors("--link-sensors", text); });
   text_option(app, "--start", "X,Y,Z",
               "Where the control point begins (default: at random, near the surface)",
               [args](const std::string& text) { args->start = parse_vector("--start", text); });

@@ -45,6 +45,15 @@ json json_of(const kinematics::Link& link) {
           {"capsules", std::move(capsules)}};
 }
 
+/// A range sensor or a switch.
+template <class Mounted>
+json json_of_mounted(const Mounted& sensor) {
+  return {{"link", sensor.link},
+          {"position", internal::json_of(sensor.position)},
+          {"axis", internal::json_of(sensor.axis)},
+          {"range", sensor.range}};
+}
+
 json refusals() {
   json all = json::array();
   for (std::size_t i = 0; i < model::kRefusals; ++i) {
@@ -75,18 +84,17 @@ std::vector<std::uint32_t> face_ends(const simulation::Mesh& mesh) {
 json json_of(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
 json json_of(const kinematics::Robot& robot) {
-  json links = json::array(), sensors = json::array();
+  json links = json::array(), sensors = json::array(), switches = json::array();
   for (const kinematics::Link& link : robot.links) links.push_back(json_of(link));
-  for (const kinematics::RangeSensor& sensor : robot.sensors)
-    sensors.push_back({{"link", sensor.link},
-                       {"position", json_of(sensor.position)},
-                       {"axis", json_of(sensor.axis)},
-                       {"range", sensor.range}});
-  return {{"name", robot.name},
-          {"links", std::move(links)},
-          {"sensors", std::move(sensors)},
-          {"control_point",
-           {{"link", robot.control_point.link}, {"position", json_of(robot.control_point.position)}}}};
+  for (const kinematics::RangeSensor& sensor : robot.sensors) sensors.push_back(json_of_mounted(sensor));
+  for (const kinematics::ProximitySwitch& s : robot.switches) switches.push_back(json_of_mounted(s));
+  json all = {{"name", robot.name},
+              {"links", std::move(links)},
+              {"sensors", std::move(sensors)},
+              {"control_point",
+               {{"link", robot.control_point.link}, {"position", json_of(robot.control_point.position)}}}};
+  if (!switches.empty()) all["switches"] = std::move(switches);
+  return all;
 }
 
 PageBuilder::PageBuilder(const std::string& kind, const std::string& name,

@@ -54,6 +54,7 @@ struct SetArrays {
   std::vector<std::uint8_t> mode;
   std::vector<float> path, joints, range, off_axis_place, clearance, true_clearance, time_us;
   std::vector<std::uint16_t> count, sensor;
+  std::vector<std::uint16_t> seeing_count, seeing;  ///< of robots with switches
   std::vector<std::uint32_t> off_axis;
 
   void put(drawing::PageData& data) const {
@@ -65,6 +66,7 @@ struct SetArrays {
     data.put("reading_range", range);
     data.put("clearance", clearance);
     if (!off_axis.empty()) data.put("off_axis_reading", off_axis), data.put("off_axis_place", off_axis_place);
+    if (!seeing_count.empty()) data.put("seeing_count", seeing_count), data.put("seeing_switch", seeing);
     if (!true_clearance.empty()) data.put("true_clearance", true_clearance);
     if (!time_us.empty()) data.put("time_us", time_us);
   }
@@ -133,7 +135,7 @@ bool RunPlayer::play(const RunSet& set) {
   const kinematics::Posture posture(reader_.head().robot, set.sensed.measured);
   std::optional<following::Intent> intent;
   if (follower_) {
-    const auto motion = follower_->next({model_, changes, posture, set.sensed.points});
+    const auto motion = follower_->next({model_, changes, posture, set.sensed.points, set.sensed.seeing});
     if (set.mode && motion.mode != *set.mode) return false;
     intent = follower_->intent(model_.view());
   }
@@ -185,6 +187,9 @@ void RunPlayer::add_readings(const RunSet& set, const kinematics::Posture& postu
     arrays_.sensor.push_back(static_cast<std::uint16_t>(sensor));
     arrays_.range.push_back(static_cast<float>(point.range));
   }
+  if (posture.robot().switches.empty()) return;
+  arrays_.seeing_count.push_back(static_cast<std::uint16_t>(set.sensed.seeing.size()));
+  for (const std::size_t i : set.sensed.seeing) arrays_.seeing.push_back(static_cast<std::uint16_t>(i));
 }
 
 void RunPlayer::add_clearance(const kinematics::Posture& posture) {

@@ -126,13 +126,29 @@ kinematics::Link read_link(RunFields& fields, std::size_t links_before) {
   return link;
 }
 
-kinematics::RangeSensor read_sensor(RunFields& fields, std::size_t links) {
-  fields.line("sensor");
-  kinematics::RangeSensor sensor;
+/// A range sensor or a switch.
+template <class Mounted>
+Mounted read_mounted(RunFields& fields, std::string_view word, std::size_t links) {
+  fields.line(word);
+  Mounted sensor;
   sensor.link = fields.index(links, "link");
   sensor.position = fields.vector(), sensor.axis = fields.vector(), sensor.range = fields.real();
   fields.done();
   return sensor;
+}
+
+/// A robot without switches has no line of them. Then comes that of the ceilings.
+void read_switches(RunFields& fields, kinematics::Robot& robot) {
+  if (!fields.next()) fields.fail("expected 'switches' or 'ceilings', and the file ends here");
+  if (fields.optional("ceilings")) return;
+  if (!fields.optional("switches"))
+    fields.fail("expected 'switches' or 'ceilings', found " + io::in_quotes(fields.word()));
+  const std::size_t switches = fields.count();
+  if (switches == 0) fields.fail("a robot without switches has no such line");
+  fields.done();
+  while (robot.switches.size() < switches)
+    robot.switches.push_back(read_mounted<kinematics::ProximitySwitch>(fields, "switch", robot.links.size()));
+  fields.line("ceilings");
 }
 
 kinematics::Robot read_robot(RunFields& fields) {
@@ -149,8 +165,9 @@ kinematics::Robot read_robot(RunFields& fields) {
   fields.line("sensors");
   const std::size_t sensors = fields.count();
   fields.done();
-  while (robot.sensors.size() < sensors) robot.sensors.push_back(read_sensor(fields, links));
-  fields.line("ceilings");
+  while (robot.sensors.size() < sensors)
+    robot.sensors.push_back(read_mounted<kinematics::RangeSensor>(fields, "sensor", links));
+  read_switches(fields, robot);
   robot.ceilings.prismatic = fields.any_real(), robot.ceilings.revolute_rad = fields.any_real();
   fields.done();
   require(fields, [&] { require_sound(robot); });

@@ -24,6 +24,18 @@ std::optional<following::Mode> read_mode(RunFields& fields) {
   fields.fail("there is no motion mode " + io::in_quotes(token));
 }
 
+/// The switches that see something; of a robot without switches nothing is there.
+void read_seeing(RunFields& fields, std::size_t switches, std::vector<std::size_t>& seeing) {
+  seeing.clear();
+  if (switches == 0) return;
+  if (!fields.optional("seeing")) fields.fail("expected 'seeing' and which switches see something");
+  for (std::size_t left = fields.count(); left > 0; --left) {
+    const std::size_t i = fields.index(switches, "switch");
+    if (!seeing.empty() && i <= seeing.back()) fields.fail("the switches that see something must ascend");
+    seeing.push_back(i);
+  }
+}
+
 void read_set(RunFields& fields, const kinematics::Robot& robot, RunSet& set) {
   set.mode = read_mode(fields);
   set.sensed.measured.resize(static_cast<Eigen::Index>(robot.joint_count()));
@@ -37,6 +49,7 @@ void read_set(RunFields& fields, const kinematics::Robot& robot, RunSet& set) {
     set.sensed.points.push_back(posture.sensor_point(sensor, fields.real()));
     if (fields.optional("at")) set.sensed.points.back().position = fields.vector();
   }
+  read_seeing(fields, robot.switches.size(), set.sensed.seeing);
   fields.done();
 }
 

@@ -89,6 +89,9 @@ std::string robot_lines(const kinematics::Robot& robot) {
   text += Line("sensors").integer(robot.sensors.size()).end();
   for (const kinematics::RangeSensor& s : robot.sensors)
     text += Line("sensor").integer(s.link).vector(s.position).vector(s.axis).real(s.range).end();
+  if (!robot.switches.empty()) text += Line("switches").integer(robot.switches.size()).end();
+  for (const kinematics::ProximitySwitch& s : robot.switches)
+    text += Line("switch").integer(s.link).vector(s.position).vector(s.axis).real(s.range).end();
   return text + Line("ceilings").real(robot.ceilings.prismatic).real(robot.ceilings.revolute_rad).end();
 }
 
@@ -128,6 +131,9 @@ std::string set_line(const RunSet& set, const kinematics::Robot& robot) {
     if (posture.sensor_point(sensor, point.range).position != point.position)
       line.word("at").vector(point.position);
   }
+  if (robot.switches.empty()) return line.end();
+  line.word("seeing").integer(set.sensed.seeing.size());
+  for (const std::size_t i : set.sensed.seeing) line.integer(i);
   return line.end();
 }
 

@@ -107,9 +107,9 @@ void read_initial(const TomlSection& file, WorldDescription& out) {
 }
 
 void read_robot(const TomlSection& file, SceneRobot& out) {
-  const auto robot =
-      file.section("robot", {"kind", "file", "package_path", "avoidance", "gain", "exponent", "influence", "object", "sensing_range",
-                             "ceiling", "ceiling_deg", "heading", "heading_deg"});
+  const auto robot = file.section(
+      "robot", {"kind", "file", "package_path", "avoidance", "gain", "exponent", "influence", "link_sensors", "object",
+                "sensing_range", "ceiling", "ceiling_deg", "heading", "heading_deg"});
   if (!robot) return;
   robot->require_one({"kind", "file"}, false);
   out.kind = robot->text("kind");
@@ -133,6 +133,11 @@ void read_robot(const TomlSection& file, SceneRobot& out) {
     if (*object != "on_ground" && *object != "in_reach")
       robot->fail("object", robot->called("object") + " must be \"in_reach\" or \"on_ground\"");
     out.object_place = *object == "on_ground" ? ObjectPlace::on_ground : ObjectPlace::in_reach;
+  }
+  if (const auto sensors = robot->text("link_sensors")) {
+    if (*sensors != "range" && *sensors != "switches")
+      robot->fail("link_sensors", robot->called("link_sensors") + " must be \"range\" or \"switches\"");
+    out.link_sensors = parse_link_sensors("link_sensors", *sensors);
   }
   out.sensing_range = robot->number("sensing_range", Numbers::positive);
   out.ceiling = robot->number("ceiling", Numbers::positive);

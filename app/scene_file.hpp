@@ -24,6 +24,7 @@ struct SceneRobot {
   std::optional<double> gain, influence;           ///< α and √(2 d₀) of (4); the latter in scan's unit
   std::optional<int> exponent;                     ///< g of (4)
   std::optional<ObjectPlace> object_place;         ///< where the object is, as seen from an arm
+  std::optional<LinkSensors> link_sensors;         ///< of an arm
   std::vector<std::string> package_paths;          ///< where what the robot's file names is sought
   std::optional<double> sensing_range;             ///< scan's unit
   std::optional<double> ceiling;                   ///< γ of prismatic joints, scan's unit

@@ -124,6 +124,8 @@ void put_robot(const SceneRobot& from, SectionText& robot) {
     robot.text("object", *from.object_place == ObjectPlace::on_ground ? "on_ground" : "in_reach");
   if (from.avoidance)
     robot.text("avoidance", *from.avoidance == following::Redundancy::thesis ? "thesis" : "programme");
+  if (from.link_sensors)
+    robot.text("link_sensors", *from.link_sensors == LinkSensors::switches ? "switches" : "range");
   if (from.gain) robot.number("gain", *from.gain);
   if (from.exponent) robot.put("exponent", std::to_string(*from.exponent));
   if (from.influence) robot.number("influence", *from.influence);

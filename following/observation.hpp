@@ -1,6 +1,7 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #pragma once
 
+#include <cstddef>
 #include <limpet/kinematics/posture.hpp>
 #include <limpet/model/model.hpp>
 #include <span>
@@ -13,6 +14,7 @@ struct Observation {
   std::span<const model::Change> changes;        ///< what they did to it
   const kinematics::Posture& posture;            ///< where the robot is, as far as it knows
   std::span<const model::SensorPoint> readings;  ///< the last set
+  std::span<const std::size_t> seeing = {};      ///< the proximity switches that see something; ascending
 };
 
 }  // namespace limpet::following

@@ -35,6 +35,12 @@ Posture::Sensor Posture::sensor(std::size_t i) const {
   return {link * sensor.position, link.linear() * sensor.axis, sensor.range};
 }
 
+Posture::Switch Posture::proximity_switch(std::size_t i) const {
+  const ProximitySwitch& s = robot_->switches[i];
+  const Eigen::Isometry3d& link = links_[s.link];
+  return {link * s.position, link.linear() * s.axis, link * s.field_centre(), s.range};
+}
+
 model::SensorPoint Posture::sensor_point(std::size_t i, double distance) const {
   const Sensor s = sensor(i);
   return {s.position + distance * s.axis, s.axis, distance};

@@ -35,6 +35,14 @@ class Posture {
   };
   Sensor sensor(std::size_t i) const;
 
+  /// A proximity switch in the world.
+  struct Switch {
+    Eigen::Vector3d position, axis;
+    Eigen::Vector3d field_centre;
+    double range = 0;
+  };
+  Switch proximity_switch(std::size_t i) const;
+
   /// The sensor point of a reading at this distance: p = s + d·a (thesis (1)).
   model::SensorPoint sensor_point(std::size_t sensor, double distance) const;
 

@@ -31,6 +31,7 @@ std::vector<std::vector<Part>> parts_of(const Robot& robot) {
       parts[i].push_back({part.b, part.radius});
     }
   for (const RangeSensor& sensor : robot.sensors) parts[sensor.link].push_back({sensor.position, 0});
+  for (const ProximitySwitch& s : robot.switches) parts[s.link].push_back({s.position, 0});
   parts[robot.control_point.link].push_back({robot.control_point.position, 0});
   return parts;
 }

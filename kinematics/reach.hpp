@@ -5,11 +5,11 @@
 
 namespace limpet::kinematics {
 
-/// r of thesis §3.3: no point of the robot (of its bodies, its sensors, the control point) is ever farther
-/// than this from the axis of any revolute joint that moves it. An upper bound: what a joint carries is taken
-/// to stretch as far as its parts' lengths add up to, within the limits of prismatic joints and without
-/// regard to those of revolute ones. 0 for a robot without revolute joints; infinite where a prismatic joint
-/// without limits is beyond a revolute one.
+/// r of thesis §3.3: no point of the robot (of its bodies, its sensors and switches, the control point) is
+/// ever farther than this from the axis of any revolute joint that moves it. An upper bound: what a joint
+/// carries is taken to stretch as far as its parts' lengths add up to, within the limits of prismatic joints
+/// and without regard to those of revolute ones. 0 for a robot without revolute joints; infinite where a
+/// prismatic joint without limits is beyond a revolute one.
 double largest_reach(const Robot&);
 
 /// γ by thesis §3.3: the largest changes of the actuators for which no joint moves any point of the robot

@@ -40,17 +40,6 @@ Eigen::VectorXd reconfiguration(const Posture&, std::span<const Proximity>, cons
 Configuration redundant_changes(const Posture&, const Eigen::Vector3d& motion, const Eigen::VectorXd& z,
                                 double gain);
 
-/// A proximity switch (appendix B), in the frame of its link: it says whether anything is in its field, a
-/// ball whose diameter, from the switch along its axis, is the range. It says neither where nor how far.
-struct ProximitySwitch {
-  std::size_t link = 0;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit vector
-  double range = 0;                                 ///< > 0
-  /// c: where what it sees is taken to be.
-  Eigen::Vector3d field_centre() const { return position + range / 2 * axis; }
-};
-
 /// z of appendix B: what the switches that see something are taken to see is at the centres of their fields,
 /// with √(2 d₀) the range of each. Precondition: numbers of switches are below switches.size().
 Eigen::VectorXd reconfiguration(const Posture&, std::span<const ProximitySwitch> switches,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limpet/kinematics/sensor_patterns.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace limpet::kinematics {
 namespace {
@@ -38,6 +39,18 @@ void require_sound(const Link& link, std::size_t i) {
           where + ": a part of its body must have finite ends and a radius of 0 or more");
 }
 
+template <class Mounted>
+void require_mounted(const Robot& robot, const Mounted& sensor, const std::string& where) {
+  require(sensor.link < robot.links.size(), where + ": is on no link");
+  require(sensor.position.allFinite(), where + ": has no finite position");
+  require(is_unit(sensor.axis), where + ": its axis must be a unit vector");
+  require(sensor.range > 0, where + ": its range must be positive");
+}
+
+bool is_at(const ControlPoint& point, const RangeSensor& sensor) {
+  return sensor.link == point.link && sensor.position == point.position;
+}
+
 }  // namespace
 
 Eigen::Isometry3d motion_of(const Joint& joint, double position) {
@@ -57,13 +70,12 @@ void require_sound(const Robot& robot) {
   for (std::size_t i = 0; i < robot.links.size(); ++i) require_sound(robot.links[i], i);
   require(robot.control_point.link < robot.links.size(), "the control point is on no link");
   require(robot.control_point.position.allFinite(), "the control point has no finite position");
-  for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
-    const RangeSensor& sensor = robot.sensors[i];
-    const std::string where = "sensor " + std::to_string(i);
-    require(sensor.link < robot.links.size(), where + ": is on no link");
-    require(sensor.position.allFinite(), where + ": has no finite position");
-    require(is_unit(sensor.axis), where + ": its axis must be a unit vector");
-    require(sensor.range > 0, where + ": its range must be positive");
+  for (std::size_t i = 0; i < robot.sensors.size(); ++i)
+    require_mounted(robot, robot.sensors[i], "sensor " + std::to_string(i));
+  for (std::size_t i = 0; i < robot.switches.size(); ++i) {
+    const std::string where = "switch " + std::to_string(i);
+    require_mounted(robot, robot.switches[i], where);
+    require(std::isfinite(robot.switches[i].range), where + ": its range must be finite");
   }
   require(robot.ceilings.prismatic > 0 && robot.ceilings.revolute_rad > 0, "ceilings must be positive");
 }
@@ -71,6 +83,17 @@ void require_sound(const Robot& robot) {
 Robot placed(Robot robot, const Eigen::Isometry3d& base) {
   for (Link& link : robot.links)
     if (!link.parent) link.mounting = base * link.mounting;
+  return robot;
+}
+
+Robot with_switches(Robot robot) {
+  std::vector<RangeSensor> at_control_point;
+  for (const RangeSensor& sensor : robot.sensors)
+    if (is_at(robot.control_point, sensor))
+      at_control_point.push_back(sensor);
+    else
+      robot.switches.push_back({sensor.link, sensor.position, sensor.axis, sensor.range});
+  robot.sensors = std::move(at_control_point);
   return robot;
 }
 

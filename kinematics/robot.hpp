@@ -44,6 +44,18 @@ struct RangeSensor {
   double range = 0;                                 ///< sensing range: the largest distance it measures
 };
 
+/// A proximity switch (thesis appendix B), in the frame of its link: it says whether anything is in its
+/// field, a ball whose diameter, from the switch along its axis, is the range. It says neither where nor how
+/// far.
+struct ProximitySwitch {
+  std::size_t link = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< unit vector
+  double range = 0;                                 ///< > 0, finite
+  /// c: where what it sees is taken to be.
+  Eigen::Vector3d field_centre() const { return position + range / 2 * axis; }
+};
+
 /// The point that is moved over the surface (thesis §1.2), in its link's frame.
 struct ControlPoint {
   std::size_t link = 0;
@@ -57,13 +69,14 @@ struct Ceilings {
   double revolute_rad = std::numeric_limits<double>::infinity();
 };
 
-/// A robot: a tree of links, each after its parent, with the sensors mounted on them. The joints that move
-/// are numbered as their links are ordered.
+/// A robot: a tree of links, each after its parent, with the sensors and switches mounted on them. The joints
+/// that move are numbered as their links are ordered.
 struct Robot {
   std::string name;
   std::vector<Link> links;
   ControlPoint control_point;
   std::vector<RangeSensor> sensors;
+  std::vector<ProximitySwitch> switches;
   Ceilings ceilings;
 
   /// Number of joints that move.
@@ -72,12 +85,17 @@ struct Robot {
 
 /// Throws std::invalid_argument, with one line that says what and where, when a link's parent does not come
 /// before it, a mounting is not rigid, an axis is no unit vector, a position is not finite, a range, ceiling
-/// or velocity is not positive, a radius is negative, limits are out of order, or a link of the control point
-/// or of a sensor does not exist.
+/// or velocity is not positive, that of a switch not finite, a radius is negative, limits are out of order,
+/// or a link of the control point, of a sensor or of a switch does not exist.
 void require_sound(const Robot&);
 
 /// The same robot, standing elsewhere: whatever the world carries is moved by `base`, rigidly, in the world.
 Robot placed(Robot, const Eigen::Isometry3d& base);
+
+/// The same robot with its links covered with proximity switches (thesis §3.3): each range sensor that is not
+/// at the control point becomes a switch of its place, axis and range, after the switches there are. The
+/// numbers of the sensors that are left follow their order. Precondition: their ranges are finite.
+Robot with_switches(Robot);
 
 /// What the mobile point robot of thesis §4.3 is made of.
 struct PointRobotOptions {

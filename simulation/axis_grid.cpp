@@ -102,4 +102,23 @@ std::optional<AxisGrid::Found> AxisGrid::first(const Vector3d& from, const Vecto
   }
 }
 
+bool AxisGrid::meets(const Vector3d& centre, double radius) const {
+  const auto is_within = [&](std::size_t i) { return (points_[i] - centre).norm() <= radius; };
+  const Vector3d low = (centre.array() - radius).matrix().cwiseMax(low_);
+  const Vector3d high = (centre.array() + radius).matrix().cwiseMin(high_);
+  if ((low.array() > high.array()).any()) return false;
+  const Cell first = cell_of(low), last = cell_of(high);
+  for (std::int64_t x = first.x(); x <= last.x(); ++x)
+    for (std::int64_t y = first.y(); y <= last.y(); ++y)
+      for (std::int64_t z = first.z(); z <= last.z(); ++z) {
+        const auto found = cells_.find(key_of({x, y, z}));
+        if (found == cells_.end()) continue;
+        const auto [from, to] = found->second;
+        if (std::any_of(in_.begin() + static_cast<std::ptrdiff_t>(from),
+                        in_.begin() + static_cast<std::ptrdiff_t>(to), is_within))
+          return true;
+      }
+  return false;
+}
+
 }  // namespace limpet::simulation

@@ -24,6 +24,8 @@ class AxisGrid {
   /// Of the points within ε of the axis and 0 to `range` along it, the one with the smallest distance (one of
   /// them, always the same, when there are several). Precondition: `axis` is a unit vector.
   std::optional<Found> first(const Eigen::Vector3d& from, const Eigen::Vector3d& axis, double range) const;
+  /// Is any point within this ball? Precondition: the radius is not negative.
+  bool meets(const Eigen::Vector3d& centre, double radius) const;
 
  private:
   using Cell = Eigen::Matrix<std::int64_t, 3, 1>;

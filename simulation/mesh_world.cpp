@@ -20,6 +20,10 @@ class MeshWorld : public World {
     return Sighting{hit->range, -axis.dot(normals_[static_cast<std::size_t>(hit->face)])};
   }
 
+  bool meets(const Eigen::Vector3d& centre, double radius) const override {
+    return rays_.distance(centre) <= radius;
+  }
+
  private:
   RayCaster rays_;
   std::vector<Eigen::Vector3d> normals_;

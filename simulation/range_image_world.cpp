@@ -29,6 +29,8 @@ class RangeImageWorld : public World {
                     points_[found->point] - (from + found->distance * axis)};
   }
 
+  bool meets(const Vector3d& centre, double radius) const override { return grid_.meets(centre, radius); }
+
  private:
   std::vector<Vector3d> points_, normals_;
   AxisGrid grid_;

@@ -5,6 +5,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cmath>
+#include <limits>
 #include <limpet/simulation/ray_caster.hpp>
 
 namespace limpet::simulation {
@@ -58,6 +59,7 @@ std::optional<RayCaster::Hit> RayCaster::first_hit(const Vector3d& source, const
 }
 
 double RayCaster::distance(const Vector3d& from) const {
+  if (inside_->tree.empty()) return std::numeric_limits<double>::infinity();
   return std::sqrt(inside_->tree.squared_distance(point(from)));
 }
 

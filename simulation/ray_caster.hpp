@@ -26,7 +26,7 @@ class RayCaster {
   /// back hides what is behind it but gives no hit. Precondition: `direction` is a unit vector.
   std::optional<Hit> first_hit(const Eigen::Vector3d& source, const Eigen::Vector3d& direction) const;
 
-  /// Distance from a place to the surface, to rounding.
+  /// Distance from a place to the surface, to rounding; infinite when it has no area.
   double distance(const Eigen::Vector3d& from) const;
 
  private:

@@ -119,6 +119,10 @@ Sensed Sensing::sense(const Robot& robot, const Configuration& true_configuratio
     sensed.points.push_back(point);
     sensed.sensors.push_back(i);
   }
+  for (std::size_t i = 0; i < robot.switches.size(); ++i) {
+    const Posture::Switch s = truth.proximity_switch(i);
+    if (world_.meets(s.field_centre, s.range / 2)) sensed.seeing.push_back(i);
+  }
   return sensed;
 }
 

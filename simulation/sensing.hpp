@@ -55,16 +55,19 @@ struct Sensed {
   /// The set: one point for each sensor that gave a reading, placed by the measured configuration.
   std::vector<model::SensorPoint> points;
   std::vector<std::size_t> sensors;  ///< of each point, its sensor; ascending
+  std::vector<std::size_t> seeing;  ///< the switches that have some of the surface in their fields; ascending
 };
 
-/// Senses a world with a robot's range sensors (thesis §4.2), and its joints with their encoders.
+/// Senses a world with a robot's range sensors (thesis §4.2) and proximity switches (appendix B), and its
+/// joints with their encoders.
 ///
 ///  (1) without errors the points are those of the surface, to rounding, and the measured configuration is
 ///      the true one;
 ///  (2) each step takes the same random numbers for each joint and sensor, whether or not it finds anything
 ///      and whatever the errors are: the same seed gives the same errors on another way through the world,
 ///      and one kind of error does not change another;
-///  (3) a noisy reading may be beyond the sensing range; none is below 0.
+///  (3) a noisy reading may be beyond the sensing range; none is below 0;
+///  (4) proximity switches make no errors and take no random numbers.
 class Sensing {
  public:
   /// The world must outlive it. Throws std::invalid_argument when the errors are not sound.

@@ -8,7 +8,7 @@
 
 namespace limpet::simulation {
 
-/// What simulated range finders see.
+/// What simulated range finders and proximity switches see.
 class World {
  public:
   virtual ~World() = default;
@@ -26,6 +26,9 @@ class World {
   /// The first surface within `range`, if it is seen from outside. Precondition: `axis` is a unit vector.
   virtual std::optional<Sighting> sight(const Eigen::Vector3d& from, const Eigen::Vector3d& axis,
                                         double range) const = 0;
+  /// Is any of the surface within this ball, whichever of its sides is turned to the centre? Precondition:
+  /// the radius is not negative.
+  virtual bool meets(const Eigen::Vector3d& centre, double radius) const = 0;
 };
 
 /// A mesh as a world: rays are cast. The mesh is copied.

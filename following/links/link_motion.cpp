@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace limpet::following {
 
@@ -50,6 +51,12 @@ void LinkMotion::look(const Observation& seen) {
   sensed_.add(seen, guard_.body(), parameters_.resolution);
   if (watch_.look(seen.posture.configuration())) hold_stuck_joints(seen.posture.configuration());
   posture_.emplace(robot_, seen.posture.configuration());
+  seeing_.assign(seen.seeing.begin(), seen.seeing.end());
+  unexplained_.clear();
+  std::copy_if(seeing_.begin(), seeing_.end(), std::back_inserter(unexplained_), [&](std::size_t i) {
+    const Posture::Switch s = posture_->proximity_switch(i);
+    return !view.nearest(s.field_centre, s.range / 2, {.points = false});
+  });
   obstacles_.emplace(view, readings_.positions(), parameters_.reading_distance - parameters_.least_distance);
   clearance_ = obstacles_->clearance(*posture_, guard_.body(), parameters_.objective.influence);
 }
@@ -72,16 +79,24 @@ void LinkMotion::hold_stuck_joints(const Configuration& here) {
 
 Configuration LinkMotion::changes(const Vector3d& motion) {
   if (!is_checked()) return by_thesis(motion);
-  const Configuration changes =
-      guard_.longest(*posture_, programme_.changes(*posture_, motion, *obstacles_), *obstacles_);
+  Configuration changes = guard_.longest(
+      *posture_, programme_.changes(*posture_, motion, *obstacles_, unexplained_), *obstacles_);
   if (!changes.isZero() || guard_.is_clear(*posture_, *obstacles_)) return changes;
   return way_out();
 }
 
-Configuration LinkMotion::by_thesis(const Vector3d& motion) {
+/// z of (5), or of links that are covered with switches that of appendix B.
+Eigen::VectorXd LinkMotion::reconfiguration_by_thesis() const {
+  const auto& switches = guard_.robot().switches;
+  if (!switches.empty())
+    return kinematics::reconfiguration(*posture_, switches, seeing_, parameters_.objective.exponent);
   std::vector<kinematics::Proximity> near;
   obstacles_->nearest_of_links(*posture_, guard_.body(), parameters_.objective.influence, near);
-  const Eigen::VectorXd z = kinematics::reconfiguration(*posture_, near, parameters_.objective);
+  return kinematics::reconfiguration(*posture_, near, parameters_.objective);
+}
+
+Configuration LinkMotion::by_thesis(const Vector3d& motion) {
+  const Eigen::VectorXd z = reconfiguration_by_thesis();
   return kinematics::limited(*posture_,
                              kinematics::redundant_changes(*posture_, motion, z, parameters_.objective.gain));
 }
@@ -117,7 +132,7 @@ std::optional<Posture> LinkMotion::reaching(const Vector3d& place) {
   while (left > kThere * parameters_.resolution) {
     Vector3d motion = place - posture.control_point();
     if (left > parameters_.max_step) motion *= parameters_.max_step / left;
-    const Configuration changes = programme_.changes(posture, motion, *obstacles_);
+    const Configuration changes = programme_.changes(posture, motion, *obstacles_, unexplained_);
     const Posture there(guard_.robot(), posture.configuration() + changes);
     if (!guard_.is_no_worse(there, posture, *obstacles_)) return std::nullopt;
     posture = there;

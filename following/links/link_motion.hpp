@@ -14,7 +14,8 @@
 
 namespace limpet::following {
 
-/// Moves a robot's control point, and keeps its links off what is known of the surface.
+/// Moves a robot's control point, and keeps its links off what is known of the surface: of the model and of
+/// readings where it is, of proximity switches that it is there (thesis §3.3).
 ///
 ///     LinkMotion links(robot, parameters);
 ///     for (...) {
@@ -28,7 +29,11 @@ namespace limpet::following {
 ///      nearer, and leads away; or there is no motion;
 ///  (3) `thesis`: neither is checked, as in the thesis;
 ///  (4) a joint that is found to be stuck is held where it is;
-///  (5) the same calls give the same changes.
+///  (5) `programme`: along changes() a switch that sees something of which the model has nothing comes no
+///      nearer to the centre of its field, to first order, unless nothing else leads links away from what is
+///      too near (where the model has something it is known better); `thesis`: links that have switches are
+///      led away by all that see something, and by these alone;
+///  (6) the same calls give the same changes.
 class LinkMotion {
  public:
   LinkMotion(const kinematics::Robot&, const LinkParameters&);
@@ -66,6 +71,7 @@ class LinkMotion {
   std::optional<kinematics::Posture> reaching(const Eigen::Vector3d& place);
 
  private:
+  Eigen::VectorXd reconfiguration_by_thesis() const;
   kinematics::Configuration by_thesis(const Eigen::Vector3d& motion);
   kinematics::Configuration way_out() const;
   void hold_stuck_joints(const kinematics::Configuration& here);
@@ -79,6 +85,8 @@ class LinkMotion {
   SensedSpace sensed_;
   std::optional<Obstacles> obstacles_;
   std::optional<kinematics::Posture> posture_;
+  std::vector<std::size_t> seeing_;       ///< switches, in that posture
+  std::vector<std::size_t> unexplained_;  ///< of these, what no polygon of the model is in the fields of
   double clearance_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include <limpet/following/free_rays.hpp>
 #include <limpet/following/links/sensed_space.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace limpet::following {
@@ -35,6 +36,11 @@ void SensedSpace::add(const Observation& seen, std::span<const kinematics::BodyP
     const auto sensor = seen.posture.sensor(i);
     const double free = free_range(sensor, seen.readings, beside);
     add_line(sensor.position, sensor.position + free * sensor.axis);
+  }
+  for (std::size_t i = 0; i < seen.posture.robot().switches.size(); ++i) {
+    if (std::binary_search(seen.seeing.begin(), seen.seeing.end(), i)) continue;
+    const auto s = seen.posture.proximity_switch(i);
+    add_line(s.position, s.position + s.range * s.axis);
   }
   for (const kinematics::BodyPart& part : body) {
     const model::Capsule capsule = kinematics::in_world(part, seen.posture);

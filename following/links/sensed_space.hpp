@@ -10,9 +10,10 @@
 
 namespace limpet::following {
 
-/// The part of space that was seen to be free: cubic cells that a ray went through before it met anything, or
-/// that a link has been in. What fits between two rays of neighbouring sensors is not seen: it is sensed in
-/// the sense of the cells' size. Memory goes with the space that the robot has been near, not with time.
+/// The part of space that was seen to be free: cubic cells that a ray went through before it met anything,
+/// that the axis of a proximity switch went through while it saw nothing, or that a link has been in. What
+/// fits between two rays of neighbouring sensors is not seen: it is sensed in the sense of the cells' size.
+/// Memory goes with the space that the robot has been near, not with time.
 class SensedSpace {
  public:
   /// `cell`: side of a cell, scan's unit, > 0.

@@ -25,17 +25,23 @@ StepProgramme::StepProgramme(const LinkGuard& guard, const LinkParameters& param
     : guard_(guard), parameters_(parameters) {}
 
 Configuration StepProgramme::changes(const Posture& posture, const Vector3d& motion,
-                                     const Obstacles& obstacles) {
+                                     const Obstacles& obstacles, std::span<const std::size_t> seeing) {
   obstacles.nearest_of_links(posture, guard_.body(), parameters_.objective.influence, near_);
-  aim(posture, motion, kinematics::reconfiguration(posture, near_, parameters_.objective));
+  Eigen::VectorXd z = kinematics::reconfiguration(posture, near_, parameters_.objective);
+  if (!seeing.empty())
+    z += kinematics::reconfiguration(posture, posture.robot().switches, seeing,
+                                     parameters_.objective.exponent);
+  aim(posture, motion, z);
   bound(posture);
   obstacles.near(posture, guard_.body(), parameters_.objective.influence, near_);
   hold_.clear();
-  problem_.inequality_matrix.resize(static_cast<Eigen::Index>(near_.size() + guard_.pairs().size()),
-                                    posture.configuration().size());
+  problem_.inequality_matrix.resize(
+      static_cast<Eigen::Index>(near_.size() + guard_.pairs().size() + seeing.size()),
+      posture.configuration().size());
   problem_.inequality_vector.resize(problem_.inequality_matrix.rows());
   keep_off(posture);
   keep_apart(posture);
+  keep_from_fields(posture, seeing);
   const auto rows = static_cast<Eigen::Index>(hold_.size());
   problem_.inequality_matrix.conservativeResize(rows, Eigen::NoChange);
   problem_.inequality_vector.conservativeResize(rows);
@@ -82,6 +88,14 @@ void StepProgramme::keep_apart(const Posture& posture) {
     add_row(nearest.away.transpose() * (posture.jacobian(body[first].link, nearest.on_first) -
                                         posture.jacobian(body[second].link, nearest.on_second)),
             nearest.distance, parameters_.own_distance);
+  }
+}
+
+/// How much room there is a switch does not tell: none of it may be taken.
+void StepProgramme::keep_from_fields(const Posture& posture, std::span<const std::size_t> seeing) {
+  for (const std::size_t i : seeing) {
+    const Posture::Switch s = posture.proximity_switch(i);
+    add_row(-s.axis.transpose() * posture.jacobian(posture.robot().switches[i].link, s.position), 0, 0);
   }
 }
 

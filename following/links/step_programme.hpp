@@ -5,6 +5,7 @@
 #include <limpet/following/links/link_guard.hpp>
 #include <limpet/kinematics/quadratic_program.hpp>
 #include <limpet/kinematics/redundancy.hpp>
+#include <span>
 #include <vector>
 
 namespace limpet::following {
@@ -14,22 +15,25 @@ namespace limpet::following {
 ///
 ///     minimise ½ ‖J Δq − v‖² + ½ μ² ‖Δq‖² − κ z·Δq
 ///     such that n·J_l Δq ≥ −ξ (d − d_s) for each part l of the body and each obstacle near it, the same for
-///     pairs of parts, and joint limits and ceilings are kept.
+///     pairs of parts, n·J_l Δq ≥ 0 for each proximity switch that sees something else, n from the centre of
+///     its field to it, and joint limits and ceilings are kept.
 class StepProgramme {
  public:
   /// The guard must outlive it.
   StepProgramme(const LinkGuard&, const LinkParameters&);
 
   /// The changes for a motion of the control point (world), within the robot's limits and ceilings, not yet
-  /// checked. Where no changes lead all of what is too near away, none of it comes nearer.
+  /// checked. Where no changes lead all of what is too near away, none of it comes nearer. `seeing`: numbers
+  /// of the robot's switches that see what is not among these obstacles.
   kinematics::Configuration changes(const kinematics::Posture&, const Eigen::Vector3d& motion,
-                                    const Obstacles&);
+                                    const Obstacles&, std::span<const std::size_t> seeing = {});
 
  private:
   void aim(const kinematics::Posture&, const Eigen::Vector3d& motion, const Eigen::VectorXd& z);
   void bound(const kinematics::Posture&);
   void keep_off(const kinematics::Posture&);
   void keep_apart(const kinematics::Posture&);
+  void keep_from_fields(const kinematics::Posture&, std::span<const std::size_t> seeing);
   void add_row(const Eigen::RowVectorXd& away, double distance, double least);
   kinematics::Configuration solve();
 

@@ -117,6 +117,7 @@ file = "robot.toml"
 package_path = ["meshes", "../more"]
 object = "on_ground"
 avoidance = "thesis"
+link_sensors = "switches"
 gain = 5000
 exponent = 4
 influence = 0.15
@@ -142,6 +143,7 @@ noise_at_angle = 0.5
 dropouts = 0.02
 outliers = 0.001
 stuck = [{ sensor = 3, distance = 0.1 }]
+stuck_joints = [{ joint = 2, set = 100 }]
 encoder_noise = 0.002
 encoder_noise_deg = 0.1
 )";

@@ -34,9 +34,36 @@ TEST_F(Follow, AnArmModelsACubeAndTouchesNothing) {
   EXPECT_EQ(read(path("again.limpet")), model);
 }
 
+/// A run with proximity switches on the links ends, however, and is the same each time.
+TEST_F(Follow, AnArmWithSwitchesEndsAndDoesTheSameAgain) {
+  for (const std::string scene : {"cube", "octahedron"})
+    for (const std::string avoidance : {"programme", "thesis"}) {
+      SCOPED_TRACE(scene);
+      SCOPED_TRACE(avoidance);
+      const auto once = [&](const std::string& name) {
+        const auto result = follow({scene, "--robot", "arm", "--link-sensors", "switches", "--avoidance",
+                                    avoidance, "--max-sets", "1500", "--record", path(name), "--json", "-"});
+        EXPECT_LE(result.code, 1) << result.err;
+        return nlohmann::json::parse(result.out);
+      };
+      const auto json = once("one.run");
+      const std::string ended = json["ended"], model = read(path("m.limpet"));
+      EXPECT_TRUE(ended == "complete" || ended == "stopped" || ended == "max-sets") << ended;
+      EXPECT_EQ(json["link_sensors"], "switches");
+      if (avoidance == "programme") {
+        EXPECT_EQ(json["collisions"], 0);
+      }
+      once("two.run");
+      EXPECT_EQ(read(path("two.run")), read(path("one.run")));
+      EXPECT_EQ(read(path("m.limpet")), model);
+    }
+}
+
 TEST_F(Follow, AnArmRefusesWhatMakesNoSense) {
   expect_refused(follow({"cube", "--robot", "leg"}), "leg");
   expect_refused(follow({"cube", "--robot", "arm", "--avoidance", "none"}), "--avoidance 'none'");
+  expect_refused(follow({"cube", "--robot", "arm", "--link-sensors", "x"}), "--link-sensors 'x'");
+  expect_refused(follow({"cube", "--link-sensors", "switches"}), "robots with links");
 }
 
 TEST_F(Follow, ACubeIsClosed) {

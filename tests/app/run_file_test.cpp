@@ -128,9 +128,8 @@ following::LinkParameters some_links() {
   return links;
 }
 
-void write_arm_run(const std::string& path) {
-  RunHead head{"exact", following::Strategy::thesis, ~std::uint64_t{0}, {}, {}, some_links(), small_arm(),
-               {}};
+void write_arm_run(const std::string& path, const kinematics::Robot& robot = small_arm()) {
+  RunHead head{"exact", following::Strategy::thesis, ~std::uint64_t{0}, {}, {}, some_links(), robot, {}};
   head.model.rules = model::Rules::thesis();
   head.model.neighbours = false;
   head.model.noise_per_range2 = 1e-5;
@@ -150,9 +149,61 @@ void write_arm_run(const std::string& path) {
       set.sensed.points.push_back(posture.sensor_point(sensor, 0.2 * random.uniform()));
       if (sensor % 2 == 1) set.sensed.points.back().position.x() += 0.01;
     }
+    for (std::size_t k = 0; k < head.robot.switches.size(); ++k)
+      if (random.below(2) == 0) set.sensed.seeing.push_back(k);
     record.add(set);
   }
   record.end({"stopped", {{{3}, {9}}, {{12}}, {}}});
+}
+
+/// The same with its links covered with switches, of which five are at one place.
+kinematics::Robot small_switched_arm() {
+  kinematics::Robot robot = kinematics::with_switches(small_arm());
+  for (std::size_t i = 0; i < 5; ++i)
+    robot.switches.push_back({i, Eigen::Vector3d(0.1, -0.25, 0.3), Eigen::Vector3d::UnitY(), 0.125});
+  return robot;
+}
+
+TEST_F(RunFile, KeepsSwitchesAndWhichOfThemSeeSomething) {
+  write_arm_run(path("arm.run"), small_switched_arm());
+  RunReader reader(path("arm.run"));
+  const auto &was = small_switched_arm().switches, &is = reader.head().robot.switches;
+  ASSERT_EQ(is.size(), was.size());
+  for (std::size_t i = 0; i < was.size(); ++i) {
+    EXPECT_EQ(is[i].link, was[i].link);
+    EXPECT_EQ(is[i].position, was[i].position);
+    EXPECT_EQ(is[i].axis, was[i].axis);
+    EXPECT_EQ(is[i].range, was[i].range);
+  }
+  RunRecord again(path("again.run"), reader.head());
+  std::size_t seeing = 0;
+  for (RunSet set; reader.next(set); again.add(set)) seeing += set.sensed.seeing.size();
+  again.end(reader.end());
+  EXPECT_GT(seeing, 0u);
+  EXPECT_EQ(read(path("again.run")), read(path("arm.run")));
+}
+
+TEST_F(RunFile, WhatIsSaidOfSwitchesMustMakeSense) {
+  write_arm_run(path("arm.run"), small_switched_arm());
+  const std::string text = read(path("arm.run"));
+  const auto expect_damaged = [&](const std::string& what, const std::string& instead) {
+    std::string damaged = text;
+    const std::size_t at = damaged.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    damaged.replace(at, what.size(), instead);
+    const auto result = replay(write("d.run", damaged));
+    expect_refused(result, "d.run: line ");
+  };
+  const std::string count = std::to_string(small_switched_arm().switches.size());
+  expect_damaged("\nswitches " + count, "\nswitches 0");
+  expect_damaged("\nswitches " + count, "\nswitches 99999999999");
+  expect_damaged("\nswitches " + count + "\n", "\n");
+  expect_damaged("\nswitches ", "\nlevers ");
+  expect_damaged("\nswitch 4", "\nswitch 99");
+  expect_damaged("\nswitch 4 0x", "\nswitch 4 inf 0x");
+  expect_damaged(" seeing ", " ");
+  expect_damaged(" seeing ", " seeing 2 1 1 ");
+  expect_damaged(" seeing ", " seeing 1 77 ");
 }
 
 /// Any robot, whatever its joints: read, and written again, it is the same file.
@@ -185,6 +236,7 @@ TEST_F(RunFile, ReplayGivesTheSameModel) {
   const std::string scenes = LIMPET_SOURCE_DIR "/scenes/";
   for (const Case& c :
        {Case{"octahedron", 10'000, {}}, Case{"cube", 200, {"--strategy", "thesis"}},
+        Case{"cube", 60, {"--robot", "arm", "--link-sensors", "switches"}},
         Case{scenes + "noisy_L.toml", 150, {}}, Case{scenes + "L_from_one_side.toml", 150, {}}}) {
     SCOPED_TRACE(c.scene);
     const std::string file = record(c.scene, c.sets, c.more);

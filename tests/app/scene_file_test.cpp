@@ -58,6 +58,7 @@ mesh = "faces.off"
 [robot]
 kind = "point"
 object = "on_ground"
+link_sensors = "switches"
 sensing_range = 0.3
 ceiling = 0.06
 ceiling_deg = 90
@@ -96,6 +97,7 @@ encoder_noise_deg = 180
   EXPECT_EQ(scene.world.initial_mesh, path("faces.off"));
   EXPECT_EQ(scene.robot.kind, "point");
   EXPECT_EQ(scene.robot.object_place, ObjectPlace::on_ground);
+  EXPECT_EQ(scene.robot.link_sensors, LinkSensors::switches);
   EXPECT_EQ(scene.robot.sensing_range, 0.3);
   EXPECT_EQ(scene.robot.ceiling, 0.06);
   EXPECT_DOUBLE_EQ(*scene.robot.ceiling_rad, std::acos(0.0));
@@ -194,6 +196,8 @@ TEST_F(SceneFileTest, ValuesOfTheWrongKindAreErrors) {
   EXPECT_EQ(
       in("robot", "kind = \"leg\""),
       "scene.toml:4: 'kind' in [robot] must be \"point\" or \"arm\"; of a robot from a file give 'file'");
+  EXPECT_EQ(in("robot", "link_sensors = \"skin\""),
+            "scene.toml:4: 'link_sensors' in [robot] must be \"range\" or \"switches\"");
   EXPECT_EQ(in("robot", "avoidance = \"none\""),
             "scene.toml:4: 'avoidance' in [robot] must be \"programme\" or \"thesis\"");
   EXPECT_EQ(in("robot", "object = \"far\""),

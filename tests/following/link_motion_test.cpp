@@ -152,6 +152,41 @@ TEST(LinkMotion, WhatItReachesItReaches) {
   EXPECT_GT(no, 5);
 }
 
+/// Of a switch that sees what the model does not have: by the programme it comes no nearer to the centre of
+/// its field, and by the thesis its link is led away from it where joints are left over.
+TEST(LinkMotion, WhatASwitchSeesIsNotNeared) {
+  survey::Random random(12);
+  const kinematics::Robot robot = kinematics::with_switches(kinematics::arm());
+  const model::Model nothing{model::Parameters{}};
+  int wanted_nearer = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Configuration at = bent(random);
+    const Posture posture(robot, at);
+    const std::vector<std::size_t> seeing = {random.below(robot.switches.size())};
+    const Posture::Switch s = posture.proximity_switch(seeing[0]);
+    const Eigen::RowVectorXd nears =
+        s.axis.transpose() * posture.jacobian(robot.switches[seeing[0]].link, s.position);
+    const Vector3d wanted = 0.02 * robots::random_axis(random);
+    const auto changes = [&](Redundancy redundancy, std::span<const std::size_t> seen) -> Configuration {
+      LinkMotion motion(robot, usual_link_parameters(usual_parameters(0.05), redundancy));
+      motion.look({nothing, {}, posture, {}, seen});
+      return motion.changes(wanted);
+    };
+    EXPECT_LE(nears.dot(changes(Redundancy::programme, seeing)), 1e-9) << "trial " << trial;
+    wanted_nearer += nears.dot(changes(Redundancy::programme, {})) > 1e-4;
+    const Configuration led = kinematics::redundant_changes(
+        posture, Vector3d::Zero(), kinematics::reconfiguration(posture, robot.switches, seeing, 6), 7000);
+    EXPECT_LE(nears.dot(led), 1e-9) << "the second term of (3)";
+    const Configuration by_thesis = changes(Redundancy::thesis, seeing);
+    EXPECT_LT((by_thesis -
+               kinematics::limited(posture, led + kinematics::redundant_changes(
+                                                      posture, wanted, Eigen::VectorXd::Zero(at.size()), 1)))
+                  .norm(),
+              1e-9);
+  }
+  EXPECT_GT(wanted_nearer, 40) << "without the switch it would be neared";
+}
+
 TEST(LinkMotion, TheSameCallsGiveTheSameChanges) {
   survey::Random random(8);
   const kinematics::Robot robot = kinematics::arm();

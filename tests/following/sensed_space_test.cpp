@@ -57,5 +57,21 @@ TEST(SensedSpace, EndsWhereARayMetSomethingAndWhereNoneWent) {
   EXPECT_EQ(sensed.cells(), cells) << "it does not grow with time";
 }
 
+/// Cells along the axis of a switch count as seen to be free only while it sees nothing.
+TEST(SensedSpace, HoldsTheAxesOfSwitchesThatSeeNothing) {
+  kinematics::Robot robot;
+  robot.links.resize(1);
+  robot.switches = {{0, Vector3d::Zero(), Vector3d::UnitX(), 1}, {0, Vector3d::Zero(), Vector3d::UnitY(), 1}};
+  const model::Model nothing{model::Parameters{}};
+  const Posture posture(robot, Configuration());
+  const std::vector<std::size_t> seeing = {1};
+  SensedSpace space(0.1);
+  space.add({nothing, {}, posture, {}, seeing}, {}, 0.05);
+  for (const double along : {0.15, 0.55, 0.95}) {
+    EXPECT_TRUE(space.holds(Vector3d(along, 0, 0)));
+    EXPECT_FALSE(space.holds(Vector3d(0, along, 0)));
+  }
+}
+
 }  // namespace
 }  // namespace limpet::following

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limpet/kinematics/arm.hpp>
 #include <stdexcept>
 
 #include "robots.hpp"
@@ -60,6 +61,41 @@ std::string complaint(const std::function<void(Robot&)>& spoil) {
   return {};
 }
 
+/// What is at the control point stays a sensor; all else is a switch in the same place, in the same order.
+TEST(WithSwitches, ChangesNothingButWhatIsOnTheLinks) {
+  const Robot before = arm(), after = with_switches(before);
+  EXPECT_EQ(after.sensors.size(), 17u);
+  ASSERT_EQ(after.sensors.size() + after.switches.size(), before.sensors.size());
+  std::size_t sensors = 0, switches = 0;
+  for (const RangeSensor& was : before.sensors) {
+    const bool stays = was.link == before.control_point.link && was.position == before.control_point.position;
+    const auto same = [&was](const auto& is) {
+      return is.link == was.link && is.position == was.position && is.axis == was.axis &&
+             is.range == was.range;
+    };
+    EXPECT_TRUE(stays ? same(after.sensors[sensors++]) : same(after.switches[switches++]));
+  }
+  EXPECT_NO_THROW(require_sound(after));
+  const Robot again = with_switches(after);
+  EXPECT_EQ(again.switches.size(), after.switches.size()) << "twice is once";
+  EXPECT_EQ(with_switches(point_robot({})).sensors.size(), 26u);
+}
+
+/// The field touches the switch, and reaches as far as its range.
+TEST(Posture, KnowsWhereASwitchAndItsFieldAre) {
+  survey::Random random(3);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Robot robot = with_switches(arm());
+    const Posture posture(robot, testing::random_configuration(random, robot));
+    const std::size_t i = random.below(robot.switches.size());
+    const ProximitySwitch& mounted = robot.switches[i];
+    const Posture::Switch s = posture.proximity_switch(i);
+    EXPECT_EQ(s.position, posture.link(mounted.link) * mounted.position);
+    EXPECT_NEAR((s.field_centre - s.position).norm(), mounted.range / 2, 1e-12);
+    EXPECT_LT((s.position + s.range / 2 * s.axis - s.field_centre).norm(), 1e-12);
+  }
+}
+
 TEST(RequireSound, SaysWhatIsWrongAndWhere) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(complaint([](Robot&) {}), "");
@@ -85,6 +121,17 @@ TEST(RequireSound, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint([](Robot& r) { r.sensors[5].axis.setZero(); }),
             "sensor 5: its axis must be a unit vector");
   EXPECT_EQ(complaint([=](Robot& r) { r.sensors[25].range = nan; }), "sensor 25: its range must be positive");
+  const auto switched = [](const ProximitySwitch& s) {
+    return complaint([&s](Robot& r) { r.switches = {{0, Vector3d::Zero(), Vector3d::UnitX(), 1}, s}; });
+  };
+  const Vector3d x = Vector3d::UnitX();
+  EXPECT_EQ(switched({3, x, x, 1}), "");
+  EXPECT_EQ(switched({4, x, x, 1}), "switch 1: is on no link");
+  EXPECT_EQ(switched({0, nan * x, x, 1}), "switch 1: has no finite position");
+  EXPECT_EQ(switched({0, x, 2 * x, 1}), "switch 1: its axis must be a unit vector");
+  EXPECT_EQ(switched({0, x, x, 0}), "switch 1: its range must be positive");
+  EXPECT_EQ(switched({0, x, x, std::numeric_limits<double>::infinity()}),
+            "switch 1: its range must be finite");
   EXPECT_EQ(complaint([](Robot& r) { r.ceilings.revolute_rad = 0; }), "ceilings must be positive");
   EXPECT_EQ(complaint([](Robot& r) { r = Robot(); }), "the control point is on no link");
 }

@@ -66,12 +66,10 @@ export const program = process.env.LIMPET ?? null;
 export function run(...words) {
   return execFileSync(program, words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 }
-/// Replays of runs that were cut end with exit code 1: interrupted.
-export function replay(file, to) {
-  const { status, stderr } = spawnSync(program, ["follow", "--replay", file, "-o", to, "--quiet"], {
-    cwd: folder,
-    encoding: "utf8",
-  });
+/// Follows; exit code 1 says that the run is not complete.
+export function follow(...words) {
+  const { status, stderr } = spawnSync(program, ["follow", ...words], { cwd: folder, encoding: "utf8" });
   if (status > 1) throw new Error(stderr);
 }
+export const replay = (file, to) => follow("--replay", file, "-o", to, "--quiet");
 export const canView = program !== null && spawnSync(program, ["view", "--help"]).status === 0;

@@ -3,9 +3,10 @@
 // recorded run and its page, that are there already.
 import test, { after } from "node:test";
 import assert from "node:assert/strict";
-import { canView, closeBrowser, folder, open, program, replay, run, write } from "./browser.mjs";
+import { canView, closeBrowser, folder, follow, open, program, replay, run, write } from "./browser.mjs";
 import { cutRun, readModel, readRun } from "./files.mjs";
 import { random } from "./parts.mjs";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
 const seed = Number(process.env.SEED ?? Math.floor(Math.random() * 1e9));
@@ -134,6 +135,34 @@ test(
     const unit = await page.evaluate(() => limpet.head.unit);
     assertSame(await shownState(page), readModel(model).polygons, unit, "the model");
     assert.equal(await page.locator("#time").isVisible(), false);
+    assert.deepEqual(page.log, []);
+    await page.close();
+  },
+);
+
+test(
+  "of a robot with switches the page tells those that see something",
+  { skip: skip || (!canView && "the program has no command view") },
+  async () => {
+    const file = join(folder, "switches.run"),
+      page_ = join(folder, "switches.html");
+    const how = ["--robot", "arm", "--link-sensors", "switches", "--max-sets", "80"];
+    follow("cube", ...how, "--record", file, "-o", join(folder, "s.limpet"), "--quiet");
+    run("view", file, "-o", page_, "--quiet");
+    const text = readFileSync(file, "utf8");
+    const all = Number(text.match(/\nswitches (\d+)\n/)[1]);
+    const seeing = [...text.matchAll(/\nset .* seeing (\d+)/g)].map((match) => Number(match[1]));
+    assert.equal(seeing.length, 80);
+    assert.ok(seeing.some((n) => n > 0) && seeing.some((n) => n === 0));
+    const page = await open(page_);
+    for (const step of [1, 20, 40, 60, 80, 1 + seeing.findIndex((n) => n > 0)]) {
+      await page.evaluate((s) => limpet.seek(s), step);
+      await page.waitForFunction(
+        (words) => document.body.innerText.includes(words),
+        `${seeing[step - 1]} of ${all} switches`,
+        { timeout: 20000 },
+      );
+    }
     assert.deepEqual(page.log, []);
     await page.close();
   },

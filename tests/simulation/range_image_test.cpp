@@ -110,6 +110,26 @@ TEST(RangeImageWorld, SeesTheFirstPointNearTheAxis) {
   EXPECT_GT(unseen, 1000);
 }
 
+TEST(RangeImageWorld, ABallMeetsItWhereAPointIsInIt) {
+  survey::Random random(5);
+  int met = 0, missed = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Points points = random_points(random, 2 + random.below(600), trial % 2 == 0);
+    const auto world = make_range_image_world(points, random.uniform(0.001, 0.3));
+    for (int query = 0; query < 200; ++query) {
+      const Vector3d centre = random_place(random, query % 2 ? 1.0 : 3.0);
+      const double radius = query % 9 == 0 ? 1e30 : random.uniform(0, query % 2 ? 0.3 : 3.0);
+      const bool expected = std::any_of(points.begin(), points.end(),
+                                        [&](const Vector3d& p) { return (p - centre).norm() <= radius; });
+      ASSERT_EQ(world->meets(centre, radius), expected) << "trial " << trial << ", query " << query;
+      ++(expected ? met : missed);
+    }
+    EXPECT_TRUE(world->meets(points[0], 0));
+  }
+  EXPECT_GT(met, 1000);
+  EXPECT_GT(missed, 1000);
+}
+
 TEST(RangeImageWorld, NeitherRangeNorEpsilonIsOverstepped) {
   const auto world = make_range_image_world({{0, 0, 1}, {0, 0, 2}}, 0.25);
   const Vector3d up = Vector3d::UnitZ();

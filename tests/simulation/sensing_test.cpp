@@ -19,6 +19,7 @@ class Everywhere : public World {
  public:
   Everywhere(double distance, double cosine = 1) : sighting_{distance, cosine} {}
   std::optional<Sighting> sight(const Vector3d&, const Vector3d&, double) const override { return sighting_; }
+  bool meets(const Vector3d&, double) const override { return true; }
 
  private:
   Sighting sighting_;
@@ -27,6 +28,7 @@ class Everywhere : public World {
 class Nothing : public World {
  public:
   std::optional<Sighting> sight(const Vector3d&, const Vector3d&, double) const override { return {}; }
+  bool meets(const Vector3d&, double) const override { return false; }
 };
 
 struct Moments {
@@ -254,6 +256,37 @@ TEST(Sensing, ErrorsThatMakeNoSenseAreRefused) {
   EXPECT_THROW(stuck.sense(kinematics::point_robot({}), Vector3d(0, 0, 0)), std::invalid_argument);
   Sensing fine(world, {});
   EXPECT_THROW(fine.sense(kinematics::point_robot({}), Eigen::Vector2d(0, 0)), std::invalid_argument);
+}
+
+/// A switch fires where some of the surface is in its field, whatever the errors of sensors and encoders; and
+/// it takes none of their random numbers.
+TEST(Sensing, SwitchesFireWhereTheirFieldsMeetTheSurface) {
+  const Mesh mesh = make_shape("cube");
+  const auto world = make_mesh_world(mesh);
+  const SensingErrors errors{.noise = 0.01, .dropouts = 0.3, .outliers = 0.1, .encoder_noise = 0.02};
+  kinematics::Robot plain = kinematics::point_robot({}), switched = plain;
+  for (const kinematics::RangeSensor& s : plain.sensors)
+    switched.switches.push_back({s.link, s.position, s.axis, 0.3});
+  Sensing sensing(*world, errors), without(*world, errors);
+  survey::Random random(9);
+  std::size_t fired = 0, silent = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Vector3d at = Vector3d(random.uniform(), random.uniform(), random.uniform()) * 1.6;
+    const Sensed sensed = sensing.sense(switched, at), expected = without.sense(plain, at);
+    EXPECT_EQ(sensed.measured, expected.measured);
+    EXPECT_EQ(sensed.sensors, expected.sensors);
+    for (std::size_t i = 0; i < expected.points.size(); ++i)
+      EXPECT_EQ(sensed.points[i].position, expected.points[i].position);
+    EXPECT_TRUE(expected.seeing.empty());
+    const kinematics::Posture truth(switched, at);
+    std::vector<std::size_t> seeing;
+    for (std::size_t i = 0; i < switched.switches.size(); ++i)
+      if (world->meets(truth.proximity_switch(i).field_centre, 0.15)) seeing.push_back(i);
+    EXPECT_EQ(sensed.seeing, seeing);
+    fired += seeing.size(), silent += switched.switches.size() - seeing.size();
+  }
+  EXPECT_GT(fired, 300u);
+  EXPECT_GT(silent, 300u);
 }
 
 }  // namespace

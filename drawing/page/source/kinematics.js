@@ -42,9 +42,9 @@ export function linkPoses(robot, joints, shift) {
   return poses;
 }
 
-/// Of each sensor its position, its axis and its range.
-export function sensorPoses(robot, poses) {
-  return robot.sensors.map(({ link, position, axis, range }) => ({
+/// Of each sensor, or switch, its position, its axis and its range.
+export function sensorPoses(sensors, poses) {
+  return sensors.map(({ link, position, axis, range }) => ({
     position: new Vector3(...position).applyMatrix4(poses[link]),
     axis: new Vector3(...axis).transformDirection(poses[link]),
     range,

@@ -74,6 +74,7 @@ export class Legend {
         () => 1,
       );
       line("rays", "rays of this set, met", { color: "ray", width: 2 }, () => run.rays.count);
+      line("switches", "switches that see something", { color: "current", width: 3.5 }, () => run.seeing.count);
       line(
         "path",
         "path so far (last 40 bold)",

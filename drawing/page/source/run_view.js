@@ -52,6 +52,12 @@ export class RunView {
         (this.misses = new LineBatch({ thinOnly: true, order: 4 })),
         (this.raysBehind = new LineBatch({ width: 2, through: true, order: 4 })),
       ],
+      switches: [
+        (this.quiet = new PointBatch({ size: 4, order: 4 })),
+        (this.seeing = new PointBatch({ size: 9, order: 5 })),
+        (this.fields = new LineBatch({ width: 3.5, order: 5 })),
+        (this.fieldsBehind = new LineBatch({ width: 3.5, through: true, order: 5 })),
+      ],
       targets: [(this.targets = new PointBatch({ size: 9, ring: 0.55, through: true, order: 6 }))],
       aim: [
         (this.aim = new LineBatch({ width: 1.6, dash: 2, through: true, order: 6 })),
@@ -131,6 +137,9 @@ export class RunView {
     this.firstReading = new Uint32Array((counts?.length ?? 0) + 1);
     for (let s = 0; s < (counts?.length ?? 0); ++s)
       this.firstReading[s + 1] = this.firstReading[s] + counts[s];
+    const { seeing_count: seen } = this.arrays;
+    this.firstSeeing = new Uint32Array((seen?.length ?? 0) + 1);
+    for (let s = 0; s < (seen?.length ?? 0); ++s) this.firstSeeing[s + 1] = this.firstSeeing[s] + seen[s];
     this.offAxis = new Map();
     off?.forEach((reading, i) => this.offAxis.set(reading, i));
   }
@@ -147,6 +156,12 @@ export class RunView {
     return readings;
   }
 
+  /// Numbers of the switches that see something in the set that a step shows.
+  switchesSeeing(step) {
+    const set = this.set(step);
+    return [...(this.arrays.seeing_switch?.subarray(this.firstSeeing[set], this.firstSeeing[set + 1]) ?? [])];
+  }
+
   /// Counted from 0. What finishing did has no set of its own: the last one is shown.
   set(step) {
     return Math.min(step, this.sets) - 1;
@@ -160,6 +175,7 @@ export class RunView {
       path: "path",
       trail: "trail",
       rays: "ray",
+      switches: "current",
       targets: "target",
       aim: "aim",
       way: "way",
@@ -170,10 +186,12 @@ export class RunView {
     for (const [name, color] of Object.entries(of))
       this.parts[name].forEach((part) => part.setColor(colors[color]));
     this.misses.setColor(colors.miss);
+    this.quiet.setColor(colors.miss);
     this.bones.setColor(colors.robot);
     this.control.setColor(colors.robot);
     this.halo.setColor(colors.robot);
     this.raysBehind.setOpacity(0.4);
+    this.fieldsBehind.setOpacity(0.4);
   }
 
   show(state) {
@@ -215,7 +233,7 @@ export class RunView {
     );
     this.#showControl(Float32Array.from(control.toArray()));
 
-    const sensors = sensorPoses(this.robot, poses);
+    const sensors = sensorPoses(this.robot.sensors, poses);
     const rays = [],
       hits = [],
       misses = [];
@@ -246,6 +264,24 @@ export class RunView {
     this.hits.set(Float32Array.from(hits));
     this.misses.set(Float32Array.from(misses));
     this.controlPlace = control.toArray();
+    this.#showSwitches(step, poses);
+  }
+
+  /// Those that see something stand out, with the diameters of their fields.
+  #showSwitches(step, poses) {
+    const seeing = new Set(this.switchesSeeing(step));
+    const quiet = [],
+      places = [],
+      fields = [];
+    sensorPoses(this.robot.switches ?? [], poses).forEach(({ position, axis, range }, i) => {
+      const place = position.toArray();
+      (seeing.has(i) ? places : quiet).push(...place);
+      if (seeing.has(i)) fields.push(...place, ...position.clone().addScaledVector(axis, range).toArray());
+    });
+    this.quiet.set(Float32Array.from(quiet));
+    this.seeing.set(Float32Array.from(places));
+    this.fields.set(Float32Array.from(fields));
+    this.fieldsBehind.set(Float32Array.from(fields));
   }
 
   #showControl(place) {

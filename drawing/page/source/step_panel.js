@@ -27,6 +27,7 @@ export class StepPanel {
     const readings = run.readings(step);
     const ranges = readings.map(({ range }) => range);
     const sensors = head.robot?.sensors.length;
+    const switches = head.robot?.switches?.length;
     const intent = app.state.intent ?? {};
     const path = arrays.path;
     const here = path && [0, 1, 2].map((i) => path[3 * set + i] + app.frame.origin[i]);
@@ -54,6 +55,10 @@ export class StepPanel {
         [
           "readings",
           sensors ? `${count(readings.length)} of ${count(sensors)} sensors` : count(readings.length),
+        ],
+        [
+          "see something",
+          switches ? `${count(run.switchesSeeing(step).length)} of ${count(switches)} switches` : null,
         ],
         [
           "ranges",
