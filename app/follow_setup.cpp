@@ -205,9 +205,8 @@ FollowSetup make_setup(const SceneFile& scene) {
   else
     place_arm(scene, setup);
   require_parts(setup.robot, scene.errors);
-  setup.model =
-      model_of(scene, setup.world, resolution,
-               noise_by_turns(scene.errors, kinematics::Posture(setup.robot, setup.configuration)));
+  setup.model = model_of(scene, setup.world, resolution,
+                         noise_by_turns(scene.errors, kinematics::Posture(setup.robot, setup.configuration)));
   return setup;
 }
 

@@ -108,8 +108,8 @@ void read_initial(const TomlSection& file, WorldDescription& out) {
 
 void read_robot(const TomlSection& file, SceneRobot& out) {
   const auto robot = file.section(
-      "robot", {"kind", "file", "package_path", "avoidance", "gain", "exponent", "influence", "link_sensors", "object",
-                "sensing_range", "ceiling", "ceiling_deg", "heading", "heading_deg"});
+      "robot", {"kind", "file", "package_path", "avoidance", "gain", "exponent", "influence", "link_sensors",
+                "object", "sensing_range", "ceiling", "ceiling_deg", "heading", "heading_deg"});
   if (!robot) return;
   robot->require_one({"kind", "file"}, false);
   out.kind = robot->text("kind");
@@ -173,8 +173,8 @@ void read_parameters(const TomlSection& file, SceneParameters& out) {
 }
 
 void read_errors(const TomlSection& file, simulation::SensingErrors& out) {
-  const auto errors = file.section("errors", {"noise", "noise_at_angle", "dropouts", "outliers", "stuck", "stuck_joints",
-                                              "encoder_noise", "encoder_noise_deg"});
+  const auto errors = file.section("errors", {"noise", "noise_at_angle", "dropouts", "outliers", "stuck",
+                                              "stuck_joints", "encoder_noise", "encoder_noise_deg"});
   if (!errors) return;
   out.noise = errors->number("noise", Numbers::not_negative).value_or(0);
   out.noise_at_angle = errors->number("noise_at_angle", Numbers::not_negative).value_or(0);

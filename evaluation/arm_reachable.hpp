@@ -31,7 +31,7 @@ struct ArmSearchOptions {
   double control_clearance = 0;  ///< δ − λ: of the control point from the surface; > 0
   double link_clearance = 0;     ///< of links from the surface; 0: λ/10
   double spared = 0;  ///< of the control point's link what is this near to it keeps λ/10 only; ≥ 0
-  double least_cosine = 0.087;   ///< of the angle of incidence, as in Sensing
+  double least_cosine = 0.087;  ///< of the angle of incidence, as in Sensing
   std::uint64_t seed = 1;
 };
 

@@ -14,8 +14,8 @@ namespace limpet::evaluation {
 struct ArmClearances {
   double control_point = 0;  ///< δ − λ: of the control point from the surface; > 0
   double links = 0;          ///< of all that joints move, from the surface; > 0
-  double spared = 0;         ///< of the control point's link what is this near to it keeps `own` instead; ≥ 0
-  double own = 0;            ///< of links that are not joined, from each other; > 0
+  double spared = 0;  ///< of the control point's link what is this near to it keeps `own` instead; ≥ 0
+  double own = 0;     ///< of links that are not joined, from each other; > 0
   /// A way on which a clearance is kept by less than half of this is not taken to be clear; > 0.
   double fineness = 0;
   /// How far from the start a prismatic joint without limits is sought; ≥ 0.

@@ -19,9 +19,9 @@ struct MovedPart {
 /// what keeps links away in a run, but for where links are.
 class MovedBody {
  public:
-  /// Parts of one rigid body and of those that are joined, also through some without extent, may touch; and so
-  /// may what does in the first configuration, or with all joints at rest (at 0, or the limit nearest to it): it
-  /// is taken to be made so.
+  /// Parts of one rigid body and of those that are joined, also through some without extent, may touch; and
+  /// so may what does in the first configuration, or with all joints at rest (at 0, or the limit nearest to
+  /// it): it is taken to be made so.
   MovedBody(const kinematics::Robot&, const kinematics::Configuration& first);
 
   const std::vector<MovedPart>& parts() const { return parts_; }

@@ -35,7 +35,7 @@ AimChooser::AimChooser(const Parameters& parameters, const kinematics::Posture& 
       step_(step),
       here_(posture.control_point()),
       reaching_(std::move(reaching)) {
-  constexpr double kSure = 0.95;  // of the range: what is farther may just be missed
+  constexpr double kSure = 0.95;         // of the range: what is farther may just be missed
   constexpr double kAtControlPoint = 2;  // λ: the others' axes turn too much on the way
   for (std::size_t i = 0; i < posture.robot().sensors.size(); ++i) {
     const auto sensor = posture.sensor(i);

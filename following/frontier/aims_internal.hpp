@@ -54,8 +54,8 @@ class AimChooser {
 
   double lambda_, height_, step_;
   Eigen::Vector3d here_;
-  std::vector<Ray> axes_;              ///< from the control point as origin
-  std::vector<std::size_t> sensors_;   ///< of the axes
+  std::vector<Ray> axes_;             ///< from the control point as origin
+  std::vector<std::size_t> sensors_;  ///< of the axes
   Reaching reaching_;
   int asked_ = 0;                              ///< times that it was asked
   std::vector<Eigen::Vector3d> out_of_reach_;  ///< places

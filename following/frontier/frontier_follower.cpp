@@ -164,8 +164,7 @@ bool FrontierFollower::has_arrived(const kinematics::Posture& posture) const {
   if (!links()) return off < kThere * lambda();
   const auto sensor = posture.sensor(aim_->axis);
   const Vector3d way = aim_->target.at - sensor.position;
-  return off < kTurnedThere * lambda() &&
-         (way - way.dot(sensor.axis) * sensor.axis).norm() < kMet * lambda();
+  return off < kTurnedThere * lambda() && (way - way.dot(sensor.axis) * sensor.axis).norm() < kMet * lambda();
 }
 
 /// Drops an aim that has been reached, or that cannot be.

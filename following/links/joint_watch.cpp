@@ -15,8 +15,8 @@ void JointWatch::told(const kinematics::Robot& robot, const Configuration& chang
   Eigen::Index k = 0;
   for (const kinematics::Link& link : robot.links) {
     if (link.joint.kind == Joint::Kind::fixed) continue;
-    const double ceiling = link.joint.kind == Joint::Kind::prismatic ? robot.ceilings.prismatic
-                                                                     : robot.ceilings.revolute_rad;
+    const double ceiling =
+        link.joint.kind == Joint::Kind::prismatic ? robot.ceilings.prismatic : robot.ceilings.revolute_rad;
     matters_.push_back(std::abs(changes[k++]) > kFarEnough * ceiling);
   }
 }

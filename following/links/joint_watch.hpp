@@ -7,8 +7,8 @@
 
 namespace limpet::following {
 
-/// Finds joints that do not do what they are told. A robot one of whose joints sticks makes other motions than
-/// were found to be clear.
+/// Finds joints that do not do what they are told. A robot one of whose joints sticks makes other motions
+/// than were found to be clear.
 ///
 ///     JointWatch watch(robot.joint_count());
 ///     watch.told(changes);

@@ -66,8 +66,8 @@ class LinkMotion {
   /// The longest step straight towards a configuration that is clear; none: zero. Precondition: is_checked().
   kinematics::Configuration towards(const kinematics::Configuration&) const;
   /// The posture to which such changes, one after the other and without halving, would bring the control
-  /// point to this place in a few steps more than its way takes, by what is known now; none: they do not. Only
-  /// where steps end is looked at. Precondition: is_checked().
+  /// point to this place in a few steps more than its way takes, by what is known now; none: they do not.
+  /// Only where steps end is looked at. Precondition: is_checked().
   std::optional<kinematics::Posture> reaching(const Eigen::Vector3d& place);
 
  private:
