@@ -42,7 +42,7 @@ struct Scene {
   }
 };
 
-const double kLeast =
+const double kLeastOfPlans =
     0.989 * usual_link_parameters(usual_parameters(0.05), Redundancy::programme).least_distance;
 
 TEST(Halton, IsSpreadEvenly) {
@@ -62,7 +62,7 @@ TEST(GoalPostures, AreThereAndClear) {
       const Posture posture(scene.robot, goal);
       EXPECT_LT((posture.control_point() - place).norm(), 0.1 * 0.05);
       EXPECT_TRUE(scene.links.guard().is_clear(posture, scene.links.obstacles()));
-      EXPECT_GE(scene.least(goal, goal), kLeast);
+      EXPECT_GE(scene.least(goal, goal), kLeastOfPlans);
       ++found;
     }
   EXPECT_GE(found, 3);
@@ -81,7 +81,7 @@ TEST(JointPlan, GoesRoundAWall) {
   Configuration from = scene.roadmap.nodes()[plan->from].at;
   EXPECT_EQ(from, scene.at);
   for (const Configuration& to : plan->after) {
-    EXPECT_GE(scene.least(from, to), kLeast);
+    EXPECT_GE(scene.least(from, to), kLeastOfPlans);
     from = to;
   }
   const auto again = plan_to({goal}, scene.links, scene.roadmap);
@@ -110,7 +110,7 @@ TEST(Roadmap, LeadsOverWhereTheRobotHasBeen) {
   EXPECT_EQ(way.back(), first);
   for (std::size_t i = 1; i < way.size(); ++i) {
     const auto& nodes = scene.roadmap.nodes();
-    EXPECT_GE(scene.least(nodes[way[i - 1]].at, nodes[way[i]].at), kLeast);
+    EXPECT_GE(scene.least(nodes[way[i - 1]].at, nodes[way[i]].at), kLeastOfPlans);
   }
   EXPECT_TRUE(scene.roadmap.way_to([](std::size_t) { return false; }).empty());
 }

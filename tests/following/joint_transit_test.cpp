@@ -13,7 +13,7 @@ using kinematics::Configuration;
 using kinematics::Posture;
 
 /// An arm of three bars before a wall, that goes as its transit tells it.
-struct Traveller {
+struct ArmTraveller {
   kinematics::Robot robot = bars(3);
   model::Model model{model::Parameters{}};
   LinkMotion links{robot, usual_link_parameters(usual_parameters(0.05), Redundancy::programme)};
@@ -21,7 +21,7 @@ struct Traveller {
   Configuration at;
   double least = 1;  ///< distance from the wall, along the way
 
-  explicit Traveller(const Configuration& start) : at(start) {
+  explicit ArmTraveller(const Configuration& start) : at(start) {
     model.add_initial(std::vector<model::InitialFace>{wall(2.3, -0.6, 0.6)});
     arrive();
   }
@@ -49,11 +49,11 @@ struct Traveller {
   Vector3d place() const { return Posture(robot, at).control_point(); }
 };
 
-const double kLeast =
+const double kLeastOnTheWay =
     0.989 * usual_link_parameters(usual_parameters(0.05), Redundancy::programme).least_distance;
 
 TEST(JointTransit, GoesToAPlaceBehindAWallAndBack) {
-  Traveller traveller(Vector3d(1.0, 0, 0));
+  ArmTraveller traveller(Vector3d(1.0, 0, 0));
   const Vector3d start = traveller.place(), under(1.4, -2.2, 0);
   ASSERT_TRUE(traveller.transit->begin_to(under));
   traveller.go();
@@ -62,18 +62,18 @@ TEST(JointTransit, GoesToAPlaceBehindAWallAndBack) {
   ASSERT_TRUE(traveller.transit->begin([&](const Vector3d& place) { return (place - start).norm() < 1e-6; }));
   traveller.go();
   EXPECT_LT((traveller.place() - start).norm(), 0.02);
-  EXPECT_GE(traveller.least, kLeast);
+  EXPECT_GE(traveller.least, kLeastOnTheWay);
 }
 
 TEST(JointTransit, BeginsNothingThatIsOutOfReachOrNotVisited) {
-  Traveller traveller(Vector3d(1.0, 0, 0));
+  ArmTraveller traveller(Vector3d(1.0, 0, 0));
   EXPECT_FALSE(traveller.transit->begin_to(Vector3d(3.5, 0, 0)));
   EXPECT_FALSE(traveller.transit->begin([](const Vector3d&) { return true; })) << "only where it is";
   EXPECT_FALSE(traveller.transit->is_under_way());
 }
 
 TEST(JointTransit, EndsThoughTheRobotStandsStill) {
-  Traveller traveller(Vector3d(1.0, 0, 0));
+  ArmTraveller traveller(Vector3d(1.0, 0, 0));
   ASSERT_TRUE(traveller.transit->begin_to(Vector3d(1.4, -2.2, 0)));
   EXPECT_LT(traveller.go(false), 20);
   EXPECT_FALSE(traveller.transit->is_under_way());
