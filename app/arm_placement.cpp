@@ -47,8 +47,9 @@ Robot standing_at(const Robot& robot, const Vector3d& base, double heading_rad) 
 
 /// At a random place for its base.
 Robot standing_beside(const Robot& robot, double reach, const simulation::Bounds& object,
-                      ObjectPlace object_place, Random& random) {
-  const double bearing = random.uniform(-std::numbers::pi, std::numbers::pi);
+                      const std::optional<double>& side, ObjectPlace object_place, Random& random) {
+  const double around = side ? std::numbers::pi / 3 : std::numbers::pi;
+  const double bearing = side.value_or(0) + random.uniform(-around, around);
   const Vector3d outward(std::cos(bearing), std::sin(bearing), 0);
   const double half = (object.high - object.low).head<2>().norm() / 2;
   Vector3d base;
@@ -62,6 +63,18 @@ Robot standing_beside(const Robot& robot, double reach, const simulation::Bounds
   }
   const double towards = bearing + std::numbers::pi;
   return standing_at(robot, base, towards + random.uniform(-std::numbers::pi / 3, std::numbers::pi / 3));
+}
+
+/// The bearing, from the object's middle, of the side of it that a range image shows; none: all of it can be
+/// felt, or the image is of no one side.
+std::optional<double> side_shown(const simulation::BuiltWorld& world, const simulation::Bounds& object) {
+  constexpr double kLeast = 0.05;  // of the object
+  if (world.image.empty()) return std::nullopt;
+  Vector3d middle = Vector3d::Zero();
+  for (const Vector3d& point : world.image) middle += point / static_cast<double>(world.image.size());
+  const Eigen::Vector2d side = (middle - object.centre()).head<2>();
+  if (side.norm() < kLeast * (object.high - object.low).norm()) return std::nullopt;
+  return std::atan2(side.y(), side.x());
 }
 
 Configuration random_configuration(const Robot& robot, Random& random) {
@@ -257,9 +270,10 @@ ArmPlacement place_beside(const Robot& robot, const simulation::BuiltWorld& worl
                           const PlacementOptions& options) {
   const Beginning wanted(robot, world, options);
   const double reach = reach_of(robot);
+  const std::optional<double> side = side_shown(world, wanted.bounds());
   Random random(options.seed ^ 0x61726d706c616365u);
   for (int place = 0; place < kPlaces; ++place) {
-    Robot standing = standing_beside(robot, reach, wanted.bounds(), options.object_place, random);
+    Robot standing = standing_beside(robot, reach, wanted.bounds(), side, options.object_place, random);
     if (!wanted.stands_clear(standing)) continue;
     const Vector3d start = options.start
                                ? *options.start

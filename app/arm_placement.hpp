@@ -37,7 +37,8 @@ struct PlacementOptions {
   std::uint64_t seed = 1;
 };
 
-/// Stands an arm beside an object, at a distance and a bearing by the seed, its x axis turned towards the
+/// Stands an arm beside an object, at a distance and a bearing by the seed (beside a range image on the side
+/// that it shows, to 60°), its x axis turned towards the
 /// object to 60°, such that the object's middle is well within reach; and finds a configuration in which its
 /// control point is δ in front of the surface (simulation::random_start(), of a range image near a part that
 /// it shows; or where it is told to be), a sensor of its link meets the surface, and all of it is clear of

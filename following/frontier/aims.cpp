@@ -35,12 +35,14 @@ AimChooser::AimChooser(const Parameters& parameters, const kinematics::Posture& 
       step_(step),
       here_(posture.control_point()),
       reaching_(std::move(reaching)) {
-  constexpr double kSure = 0.95;         // of the range: what is farther may just be missed
+  // Of the range: what is farther may just be missed. An arm comes to a place less exactly, and that a ray
+  // met nothing where surface was expected is only known if it reaches well beyond.
+  const double sure = reaching_ ? 0.84 : 0.95;
   constexpr double kAtControlPoint = 2;  // λ: the others' axes turn too much on the way
   for (std::size_t i = 0; i < posture.robot().sensors.size(); ++i) {
     const auto sensor = posture.sensor(i);
     if (reaching_ && (sensor.position - here_).norm() > kAtControlPoint * lambda_) continue;
-    axes_.push_back({sensor.position - here_, sensor.axis, kSure * sensor.range});
+    axes_.push_back({sensor.position - here_, sensor.axis, sure * sensor.range});
     sensors_.push_back(i);
   }
 }
