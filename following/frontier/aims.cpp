@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 struct AimChooser::Search {
   std::size_t targets, candidates;  ///< the nearest so many
   double least_cosine;              ///< of incidence
+  double share;                     ///< of the range, to be used
   std::span<const double> heights;  ///< δ over the expected surface
   /// Times δ − λ, to be kept off suspected places, too; the first for which there is an aim. 0: what is clear
   /// will do.
@@ -22,6 +23,8 @@ struct AimChooser::Search {
 
 namespace {
 
+constexpr double kSure = 0.95;            ///< of the range: what is farther may just be missed
+constexpr double kTellsOfNothing = 0.88;  ///< of that: where a ray reaches well beyond what it aims at
 constexpr double kFree[] = {0.8, 1.1, 1.5}, kFreeMargins[] = {1.35, 1.1};
 /// Between walls that are less than 2 δ apart, places are low over one and look along it.
 constexpr double kNarrow[] = {0.38, 0.55, 0.7, 0.85, 1.1, 1.5}, kNarrowMargins[] = {1.05, 0};
@@ -35,14 +38,11 @@ AimChooser::AimChooser(const Parameters& parameters, const kinematics::Posture& 
       step_(step),
       here_(posture.control_point()),
       reaching_(std::move(reaching)) {
-  // Of the range: what is farther may just be missed. An arm comes to a place less exactly, and that a ray
-  // met nothing where surface was expected is only known if it reaches well beyond.
-  const double sure = reaching_ ? 0.84 : 0.95;
   constexpr double kAtControlPoint = 2;  // λ: the others' axes turn too much on the way
   for (std::size_t i = 0; i < posture.robot().sensors.size(); ++i) {
     const auto sensor = posture.sensor(i);
     if (reaching_ && (sensor.position - here_).norm() > kAtControlPoint * lambda_) continue;
-    axes_.push_back({sensor.position - here_, sensor.axis, sure * sensor.range});
+    axes_.push_back({sensor.position - here_, sensor.axis, kSure * sensor.range});
     sensors_.push_back(i);
   }
 }
@@ -54,7 +54,7 @@ void AimChooser::add_candidates(const Target& target, const Search& search) {
     if (cosine < search.least_cosine) continue;
     for (const double height : search.heights) {
       const double range = height * height_ / cosine;
-      if (range <= axis.range)
+      if (range <= search.share * axis.range)
         candidates_.push_back({target.at - range * axis.axis - axis.from, axis.from, sensors_[i], target, 0});
     }
   }
@@ -118,9 +118,12 @@ std::optional<Aim> AimChooser::reached(const Aim& wanted, const Search& search,
 std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& clearance,
                                       const std::vector<Target>& targets, ExpectedPlanes& planes) {
   constexpr double kLeastCosine = 0.34;  // 70°
-  auto found = choose(view, clearance, targets, planes, {10, 100, kLeastCosine, kFree, kFreeMargins});
+  // An arm comes to a place less exactly, and has fewer to choose from: it is often at the end of its range,
+  // where a ray that meets nothing does not tell that there is nothing.
+  const double share = reaching_ ? kTellsOfNothing : 1;
+  auto found = choose(view, clearance, targets, planes, {10, 100, kLeastCosine, share, kFree, kFreeMargins});
   if (found) return found;
-  return choose(view, clearance, targets, planes, {24, 240, kLeastCosine / 2, kNarrow, kNarrowMargins});
+  return choose(view, clearance, targets, planes, {24, 240, kLeastCosine / 2, 1, kNarrow, kNarrowMargins});
 }
 
 std::optional<Aim> AimChooser::choose(const model::View& view, const Clearance& clearance,

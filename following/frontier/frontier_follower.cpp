@@ -56,12 +56,14 @@ class FrontierFollower : public Follower {
   void look_around(const Observation&);
   void look_around_points(const View&, const Vector3d& here);
   bool has_arrived(const kinematics::Posture&) const;
+  bool tells_of_nothing(const kinematics::Posture&) const;
   void close_aim(const kinematics::Posture&, bool has_moved);
   Motion go_on(const Observation&);
   void give_up_what_is_near();
   Motion travel(const Observation&, bool has_moved);
   bool begin_travel(const Observation&);
   bool begin_anew_elsewhere(const Observation&);
+  bool begin_to(const Vector3d& at, const Vector3d& normal);
   void leave_what_would_close(const Observation&);
   long outcome_period(const Observation&) const;
 
@@ -167,17 +169,26 @@ bool FrontierFollower::has_arrived(const kinematics::Posture& posture) const {
   return off < kTurnedThere * lambda() && (way - way.dot(sensor.axis) * sensor.axis).norm() < kMet * lambda();
 }
 
+/// Does the ray reach so far beyond the target that something would have been met if it were there? Of an
+/// arm, at the end of its range, it may not, and where the arm comes to is not where it was to come to.
+bool FrontierFollower::tells_of_nothing(const kinematics::Posture& posture) const {
+  constexpr double kBeyond = 0.6;  // λ
+  if (!links()) return true;
+  const auto sensor = posture.sensor(aim_->axis);
+  return (aim_->target.at - sensor.position).norm() < sensor.range - kBeyond * lambda();
+}
+
 /// Drops an aim that has been reached, or that cannot be.
 void FrontierFollower::close_aim(const kinematics::Posture& posture, bool has_moved) {
   if (!aim_) return;
   const Target aimed = aim_->target;
-  const bool has_arrived = this->has_arrived(posture);
+  const bool has_arrived = this->has_arrived(posture), tells = has_arrived && tells_of_nothing(posture);
   const bool still = std::any_of(outlook_.targets.begin(), outlook_.targets.end(), [&](const Target& t) {
     return (t.at - aimed.at).norm() < 0.3 * lambda() && t.normal.dot(aimed.normal) > 0.9;
   });
-  if (still && has_arrived)
+  if (still && tells)
     memory_.note_failed(aimed.at, aimed.normal);
-  else if (still && !has_moved)
+  else if (still && (has_arrived || !has_moved))
     memory_.note_blocked(aimed.at, aimed.normal);
   aim_.reset();
 }
@@ -237,25 +248,32 @@ bool FrontierFollower::begin_travel(const Observation& seen) {
   return transit_->begin(wanted);
 }
 
-/// What was out of reach may be within, from another configuration: thesis §3.4.7 has it for later.
+/// What was out of reach may be within, from another configuration: thesis §3.4.7 has it for later. Last come
+/// targets around points that are no polygon yet.
 bool FrontierFollower::begin_anew_elsewhere(const Observation& seen) {
-  constexpr int kTries = 2;
-  constexpr double kTogether = 1.5, kOutside = 0.85;  // λ
+  constexpr double kOutside = 0.85;  // λ
   const View view = seen.model.view();
   for (const OpenPart& part : open_.unreachable(seen.posture.control_point(), view)) {
     const Vector3d normal = view.segment(part.segment)->plane.normal;
     const Vector3d outward = (part.to - part.from).cross(normal).normalized();
-    int tries = 0;
-    tried_.for_each_within(part.middle(), kTogether * lambda(), [&](const Vector3d&, Nothing) { ++tries; });
-    if (tries >= kTries) continue;
-    tried_.put(part.middle(), {});
-    const Vector3d over = part.middle() + kOutside * lambda() * outward;
-    if (!transit_->begin_to(over + parameters().follow_distance * normal)) continue;
-    open_.retry(part.middle(), aiming_reach());
-    memory_.forget_blocked(over, aiming_reach());
-    return true;
+    if (begin_to(part.middle() + kOutside * lambda() * outward, normal)) return true;
   }
-  return false;
+  const std::vector<Target> near = outlook_.targets;
+  return std::any_of(near.begin(), near.end(), [&](const Target& t) { return begin_to(t.at, t.normal); });
+}
+
+/// Begins a way to where the control point is over a place that is to be felt, unless that was tried before.
+bool FrontierFollower::begin_to(const Vector3d& at, const Vector3d& normal) {
+  constexpr int kTries = 2;
+  constexpr double kTogether = 1.5;  // λ
+  int tries = 0;
+  tried_.for_each_within(at, kTogether * lambda(), [&](const Vector3d&, Nothing) { ++tries; });
+  if (tries >= kTries) return false;
+  tried_.put(at, {});
+  if (!transit_->begin_to(at + parameters().follow_distance * normal)) return false;
+  open_.retry(at, aiming_reach());
+  memory_.forget_blocked(at, aiming_reach());
+  return true;
 }
 
 Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
