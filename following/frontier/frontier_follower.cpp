@@ -270,7 +270,11 @@ bool FrontierFollower::begin_to(const Vector3d& at, const Vector3d& normal) {
   tried_.for_each_within(at, kTogether * lambda(), [&](const Vector3d&, Nothing) { ++tries; });
   if (tries >= kTries) return false;
   tried_.put(at, {});
-  if (!transit_->begin_to(at + parameters().follow_distance * normal)) return false;
+  constexpr double kHeights[] = {1, 1.5, 0.7};  // δ
+  const auto begins = [&](double height) {
+    return transit_->begin_to(at + height * parameters().follow_distance * normal);
+  };
+  if (std::none_of(std::begin(kHeights), std::end(kHeights), begins)) return false;
   open_.retry(at, aiming_reach());
   memory_.forget_blocked(at, aiming_reach());
   return true;

@@ -87,7 +87,7 @@ bool lies_in_sensed(const LinkMotion& links, const Posture& posture) {
 
 std::vector<Configuration> goal_postures(const LinkMotion& links, const Roadmap& roadmap,
                                          const Vector3d& place) {
-  constexpr std::size_t kSeeds = 12, kSpread = 24, kMost = 6;
+  constexpr std::size_t kSeeds = 24, kSpread = 120, kMost = 6;
   constexpr double kPrecision = 0.1, kSame = 2;  // λ; steps
   const Robot& robot = links.guard().robot();
   std::vector<Configuration> seeds = seeds_of(roadmap, place, kSeeds);
