@@ -122,13 +122,21 @@ bool OpenEdgeMap::retry() {
   return any;
 }
 
-void OpenEdgeMap::retry(const Vector3d& p, double reach) {
+void OpenEdgeMap::change(const Vector3d& p, double reach, PartState before, PartState after) {
   places_.for_each_within(p, reach, [&](const Vector3d&, const Place& place) {
     const auto known = edges_.find(place.edge);
     if (known == edges_.end()) return;
     PartState& state = known->second.parts[place.part];
-    if (state == PartState::unreachable) state = PartState::wanted;
+    if (state == before) state = after;
   });
+}
+
+void OpenEdgeMap::retry(const Vector3d& p, double reach) {
+  change(p, reach, PartState::unreachable, PartState::wanted);
+}
+
+void OpenEdgeMap::give_up(const Vector3d& p, double reach) {
+  change(p, reach, PartState::wanted, PartState::unreachable);
 }
 
 std::vector<OpenPart> OpenEdgeMap::unreachable(const Vector3d& p, const View& view) const {
@@ -148,15 +156,6 @@ std::vector<OpenPart> OpenEdgeMap::unreachable(const Vector3d& p, const View& vi
   std::sort(parts.begin(), parts.end(),
             [&](const OpenPart& a, const OpenPart& b) { return key(a) < key(b); });
   return parts;
-}
-
-void OpenEdgeMap::give_up(const Vector3d& p, double reach) {
-  places_.for_each_within(p, reach, [&](const Vector3d&, const Place& place) {
-    const auto known = edges_.find(place.edge);
-    if (known == edges_.end()) return;
-    PartState& state = known->second.parts[place.part];
-    if (state == PartState::wanted) state = PartState::unreachable;
-  });
 }
 
 std::optional<Vector3d> OpenEdgeMap::nearest_wanted_of_initial(const Vector3d& p, const View& view) const {

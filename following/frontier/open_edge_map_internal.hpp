@@ -84,6 +84,8 @@ class OpenEdgeMap {
     std::uint64_t edge;
     std::uint32_t part;
   };
+  /// Of the parts within `reach` of p.
+  void change(const Eigen::Vector3d& p, double reach, PartState before, PartState after);
   void put(geometry::EdgeId, const model::View&);
   void forget(geometry::EdgeId);
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <queue>
 
 namespace limpet::following {
 
@@ -103,31 +101,7 @@ void Roadmap::block(std::size_t node) {
 }
 
 std::vector<std::size_t> Roadmap::way_to(const std::function<bool(std::size_t)>& wanted) const {
-  std::vector<double> length(nodes_.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::size_t> before(nodes_.size(), nodes_.size());
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  if (nodes_.empty()) return {};
-  length[present_] = 0;
-  open.emplace(0, present_);
-  while (!open.empty()) {
-    const auto [so_far, node] = open.top();
-    open.pop();
-    if (so_far > length[node]) continue;
-    if (wanted(node)) {
-      std::vector<std::size_t> way;
-      for (std::size_t i = node; i != nodes_.size(); i = before[i]) way.push_back(i);
-      std::reverse(way.begin(), way.end());
-      return way;
-    }
-    for (const Link& link : links_[node]) {
-      if (so_far + link.length >= length[link.to]) continue;
-      length[link.to] = so_far + link.length;
-      before[link.to] = node;
-      open.emplace(length[link.to], link.to);
-    }
-  }
-  return {};
+  return internal::cheapest_way(links_, present_, wanted);
 }
 
 }  // namespace limpet::following

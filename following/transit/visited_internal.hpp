@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <limpet/following/space_hash_internal.hpp>
+#include "cheapest_way_internal.hpp"
 
 namespace limpet::following::internal {
 
@@ -28,18 +29,12 @@ class Visited {
   std::vector<Eigen::Vector3d> way_to(const std::function<bool(const Eigen::Vector3d&)>& wanted) const;
 
  private:
-  struct Link {
-    std::size_t to;
-    double length;
-  };
-  struct Node {
-    Eigen::Vector3d at;
-    std::vector<Link> links;
-  };
+  using Link = GraphLink;
   Link* find(std::size_t from, std::size_t to);
   void link(std::size_t a, std::size_t b);
 
-  std::vector<Node> nodes_;
+  std::vector<Eigen::Vector3d> nodes_;
+  std::vector<std::vector<Link>> links_;  ///< of each node
   SpaceHash<std::size_t> places_;
   std::size_t present_ = 0;
   double same_, near_, detour_;
