@@ -101,7 +101,7 @@ void Roadmap::block(std::size_t node) {
 }
 
 std::vector<std::size_t> Roadmap::way_to(const std::function<bool(std::size_t)>& wanted) const {
-  return internal::cheapest_way(links_, present_, wanted);
+  return cheapest_way(links_, present_, wanted);
 }
 
 }  // namespace limpet::following

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <limpet/following/links/link_guard.hpp>
-#include <limpet/following/transit/cheapest_way_internal.hpp>
+#include <limpet/following/transit/cheapest_way.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -44,7 +44,7 @@ class Roadmap {
   double steps(const kinematics::Configuration&, const kinematics::Configuration&) const;
 
  private:
-  using Link = internal::GraphLink;
+  using Link = GraphLink;
   Link* find(std::size_t from, std::size_t to);
   void link(std::size_t, std::size_t);
   std::size_t add(const kinematics::Configuration&);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <limpet/following/space_hash_internal.hpp>
-#include "cheapest_way_internal.hpp"
+#include <limpet/following/transit/cheapest_way.hpp>
 
 namespace limpet::following::internal {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace limpet::following::internal {
+namespace limpet::following {
 
 /// From one node of a graph to another.
 struct GraphLink {
@@ -50,4 +50,4 @@ std::vector<std::size_t> cheapest_way(const std::vector<std::vector<GraphLink>>&
   return {};
 }
 
-}  // namespace limpet::following::internal
+}  // namespace limpet::following
