@@ -82,7 +82,7 @@ void Roadmap::arrive_exactly(const Posture& posture) {
   link(before, present_);
 }
 
-void Roadmap::add_way(std::size_t from, const std::vector<Configuration>& way) {
+std::size_t Roadmap::add_way(std::size_t from, const std::vector<Configuration>& way) {
   for (const Configuration& at : way) {
     const auto same =
         std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& node) { return node.at == at; });
@@ -90,6 +90,7 @@ void Roadmap::add_way(std::size_t from, const std::vector<Configuration>& way) {
     link(from, next);
     from = next;
   }
+  return from;
 }
 
 void Roadmap::block(std::size_t node) {

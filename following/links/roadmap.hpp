@@ -30,7 +30,8 @@ class Roadmap {
   /// The same, but the node is where it is exactly: a new one, if need be.
   void arrive_exactly(const kinematics::Posture&);
   /// Adds a way that is clear, from a node on; where it comes to a node's very configuration, over that node.
-  void add_way(std::size_t from, const std::vector<kinematics::Configuration>& way);
+  /// Returns the node at its end.
+  std::size_t add_way(std::size_t from, const std::vector<kinematics::Configuration>& way);
   /// Motions to this node are dearer from now on: it could not be reached, this time.
   void block(std::size_t node);
 

@@ -63,8 +63,7 @@ bool JointTransit::begin(const Wanted& wanted) {
 bool JointTransit::begin_to(const Vector3d& place) {
   const auto plan = plan_to(goal_postures(links_, roadmap_, place), links_, roadmap_);
   if (!plan) return false;
-  roadmap_.add_way(plan->from, plan->after);
-  const std::size_t goal = roadmap_.nodes().size() - 1;
+  const std::size_t goal = roadmap_.add_way(plan->from, plan->after);
   set_way(roadmap_.way_to([&](std::size_t i) { return i == goal; }), Mode::reposition);
   return is_under_way();
 }

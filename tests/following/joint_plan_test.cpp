@@ -115,6 +115,18 @@ TEST(Roadmap, LeadsOverWhereTheRobotHasBeen) {
   EXPECT_TRUE(scene.roadmap.way_to([](std::size_t) { return false; }).empty());
 }
 
+/// A plan may end where the robot has been.
+TEST(Roadmap, AWayThatEndsAtANodeAddsNoOther) {
+  Scene scene({}, Vector3d(0, 0.5, 0));
+  scene.look(Vector3d(0.3, 0.5, 0));
+  const std::size_t first = 0, nodes = scene.roadmap.nodes().size();
+  const std::size_t end = scene.roadmap.add_way(scene.roadmap.present(), {Vector3d(0, 0.5, 0)});
+  EXPECT_EQ(end, first);
+  EXPECT_EQ(scene.roadmap.nodes().size(), nodes);
+  const std::size_t fresh = scene.roadmap.add_way(first, {Vector3d(-0.3, 0.5, 0)});
+  EXPECT_EQ(scene.roadmap.nodes()[fresh].at, Configuration(Vector3d(-0.3, 0.5, 0)));
+}
+
 TEST(Roadmap, AvoidsWhatIsBlocked) {
   Scene scene({}, Vector3d(0, 0.5, 0));
   // A loop in the first two joints, its far end to be reached both ways.
