@@ -53,6 +53,9 @@ class FrontierFollower : public Follower {
   void begin(const Observation&);
   void look_at_what_was_read(const Observation&);
   void note_empty(const std::vector<Ray>&);
+  void note_empty(const std::vector<Target>&, const std::vector<Ray>&);
+  void arrive(const Observation&);
+  void look_at_sought(const Observation&);
   void look_around(const Observation&);
   void look_around_points(const View&, const Vector3d& here);
   bool has_arrived(const kinematics::Posture&) const;
@@ -63,10 +66,13 @@ class FrontierFollower : public Follower {
   Motion travel(const Observation&, bool has_moved);
   bool begin_travel(const Observation&);
   bool begin_anew_elsewhere(const Observation&);
-  bool begin_to(const Vector3d& at, const Vector3d& normal);
+  bool was_tried(const Target&) const;
+  bool begin_to_see(const Target&);
   void leave_what_would_close(const Observation&);
   long outcome_period(const Observation&) const;
 
+  static constexpr double kSurface = 0.6;                    ///< λ, the last bit of a free ray
+  static constexpr double kNear = 0.4, kLeastCosine = 0.25;  ///< λ; of a ray that goes through a place
   double lambda() const { return parameters().resolution; }
   /// Open edges this near can be aimed at.
   double aiming_reach() const { return 0.875 * parameters().sensing_range; }
@@ -81,7 +87,8 @@ class FrontierFollower : public Follower {
   internal::SpaceHash<Nothing> empty_;  ///< where rays met nothing on ground that was expected
   internal::TargetFinder finder_;
   std::unique_ptr<internal::Transit> transit_;  ///< from the first set on
-  internal::SpaceHash<Nothing> tried_;  ///< where other configurations of the robot were tried, for each try
+  internal::SpaceHash<Vector3d> tried_;  ///< for each try of another configuration: the target's normal
+  std::optional<Target> sought_;         ///< what the robot takes such a configuration to see
   std::vector<OpenPart> parts_;
   std::vector<View::Nearest> points_;
   internal::Outlook outlook_;
@@ -106,19 +113,21 @@ std::vector<Ray> free_rays(const Observation& seen, double beside, double last_b
 
 /// Remembers where surface was expected and rays met nothing.
 void FrontierFollower::look_at_what_was_read(const Observation& seen) {
-  constexpr double kSurface = 0.6;  // λ
   if (planes_) note_empty(free_rays(seen, lambda(), kSurface * lambda()));
 }
 
-void FrontierFollower::note_empty(const std::vector<Ray>& rays) {
-  constexpr double kNear = 0.4, kLeastCosine = 0.25;
-  for (const Target& target : outlook_.targets) {
+void FrontierFollower::note_empty(const std::vector<Target>& targets, const std::vector<Ray>& rays) {
+  for (const Target& target : targets) {
     const auto goes_through = [&](const Ray& ray) {
       const auto crosses = internal::crossing(ray, target.normal, target.normal.dot(target.at), kLeastCosine);
       return crosses && (*crosses - target.at).squaredNorm() < kNear * kNear * lambda() * lambda();
     };
     if (std::any_of(rays.begin(), rays.end(), goes_through)) memory_.note_empty(target.at, target.normal);
   }
+}
+
+void FrontierFollower::note_empty(const std::vector<Ray>& rays) {
+  note_empty(outlook_.targets, rays);
   std::vector<Vector3d> places;
   for (const Ray& ray : rays) planes_->add_new_ground(ray, kLeastCosine, places);
   for (const Vector3d& place : places)
@@ -251,33 +260,60 @@ bool FrontierFollower::begin_travel(const Observation& seen) {
 /// What was out of reach may be within, from another configuration: thesis §3.4.7 has it for later. Last come
 /// targets around points that are no polygon yet.
 bool FrontierFollower::begin_anew_elsewhere(const Observation& seen) {
-  constexpr double kOutside = 0.85;  // λ
   const View view = seen.model.view();
-  for (const OpenPart& part : open_.unreachable(seen.posture.control_point(), view)) {
-    const Vector3d normal = view.segment(part.segment)->plane.normal;
-    const Vector3d outward = (part.to - part.from).cross(normal).normalized();
-    if (begin_to(part.middle() + kOutside * lambda() * outward, normal)) return true;
+  for (const OpenPart& part : open_.left(seen.posture.control_point(), view)) {
+    memory_.forget_blocked(part.middle(), lambda());
+    internal::Outlook there;
+    const PartState state = finder_.add(view, part, there);
+    if (state == PartState::wanted && begin_to_see(there.targets.back())) return true;
+    open_.set(part, state == PartState::wanted ? PartState::unreachable : state);
   }
   const std::vector<Target> near = outlook_.targets;
-  return std::any_of(near.begin(), near.end(), [&](const Target& t) { return begin_to(t.at, t.normal); });
+  return std::any_of(near.begin(), near.end(), [&](const Target& t) { return begin_to_see(t); });
 }
 
-/// Begins a way to where the control point is over a place that is to be felt, unless that was tried before.
-bool FrontierFollower::begin_to(const Vector3d& at, const Vector3d& normal) {
-  constexpr int kTries = 2;
-  constexpr double kTogether = 1.5;  // λ
+bool FrontierFollower::was_tried(const Target& target) const {
+  constexpr int kTries = 3;
+  constexpr double kTogether = 0.6;  // λ
   int tries = 0;
-  tried_.for_each_within(at, kTogether * lambda(), [&](const Vector3d&, Nothing) { ++tries; });
-  if (tries >= kTries) return false;
-  tried_.put(at, {});
-  constexpr double kHeights[] = {1, 1.5, 0.7};  // δ
-  const auto begins = [&](double height) {
-    return transit_->begin_to(at + height * parameters().follow_distance * normal);
-  };
-  if (std::none_of(std::begin(kHeights), std::end(kHeights), begins)) return false;
-  open_.retry(at, aiming_reach());
-  memory_.forget_blocked(at, aiming_reach());
+  tried_.for_each_within(target.at, kTogether * lambda(), [&](const Vector3d&, const Vector3d& normal) {
+    if (normal.dot(target.normal) > 0.9) ++tries;
+  });
+  return tries >= kTries;
+}
+
+/// Begins a way to where a sensor looks at a target, unless that was tried before.
+bool FrontierFollower::begin_to_see(const Target& target) {
+  if (was_tried(target) || !transit_->begin_to_see({target.at, target.normal})) {
+    for (int i = 0; i < internal::PlaceMemory::kBlocked; ++i) memory_.note_blocked(target.at, target.normal);
+    return false;
+  }
+  sought_ = target;
+  if ((transit_->goal() - target.at).norm() < aiming_reach()) {
+    open_.retry(target.at, aiming_reach());
+    memory_.forget_blocked(target.at, aiming_reach());
+  }
   return true;
+}
+
+/// From where the robot has come to see something, which may be far from its control point.
+void FrontierFollower::look_at_sought(const Observation& seen) {
+  const View view = seen.model.view();
+  const auto rays = free_rays(seen, lambda(), kSurface * lambda());
+  tried_.put(sought_->at, sought_->normal);
+  note_empty({*sought_}, rays);
+  open_.near(sought_->at, 2 * lambda(), view, parts_);
+  internal::Outlook there;
+  for (const OpenPart& part : parts_)
+    if (const PartState state = finder_.add(view, part, there); !part.closes) open_.set(part, state);
+}
+
+void FrontierFollower::arrive(const Observation& seen) {
+  const bool was_under_way = transit_->is_under_way();
+  transit_->arrive(seen);
+  if (transit_->is_under_way() || !sought_) return;
+  if (was_under_way) look_at_sought(seen);
+  sought_.reset();
 }
 
 Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
@@ -285,6 +321,7 @@ Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
     const auto progress = transit_->look(seen, has_moved);
     if (progress == internal::Travel::Progress::hopeless) {
       open_.give_up(transit_->goal(), aiming_reach());
+      if (sought_) tried_.put(sought_->at, sought_->normal);
       give_up_what_is_near();  // it is looked at at every step, and would be wanted again for ever
     }
     if (progress != internal::Travel::Progress::good) transit_->stop();
@@ -324,7 +361,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
     leave_what_would_close(seen);
   const bool has_moved = (here - before_).norm() >= 1e-3 * lambda();
   before_ = here;
-  transit_->arrive(seen);
+  arrive(seen);
   look_at_what_was_read(seen);
   look_around(seen);
   clearance().suspect(outlook_.suspected);

@@ -139,13 +139,13 @@ void OpenEdgeMap::give_up(const Vector3d& p, double reach) {
   change(p, reach, PartState::wanted, PartState::unreachable);
 }
 
-std::vector<OpenPart> OpenEdgeMap::unreachable(const Vector3d& p, const View& view) const {
+std::vector<OpenPart> OpenEdgeMap::left(const Vector3d& p, const View& view) const {
   std::vector<OpenPart> parts;
   for (const auto& [id, entry] : edges_) {
     const auto edge = entry.closes ? std::nullopt : view.edge({id});
     if (!edge || edge->partner) continue;
     for (std::uint32_t i = 0; i < entry.parts.size(); ++i) {
-      if (entry.parts[i] != PartState::unreachable) continue;
+      if (entry.parts[i] != PartState::unreachable && entry.parts[i] != PartState::wanted) continue;
       parts.push_back(entry.part(i));
       parts.back().edge = {id}, parts.back().segment = edge->segment;
     }

@@ -58,8 +58,8 @@ class OpenEdgeMap {
   bool retry();
   /// The parts within `reach` of p that are wanted become unreachable.
   void give_up(const Eigen::Vector3d& p, double reach);
-  /// The parts that are unreachable, of edges that would not close, the nearest to p first.
-  std::vector<OpenPart> unreachable(const Eigen::Vector3d& p, const model::View&) const;
+  /// The parts that are wanted or unreachable, of edges that would not close, the nearest to p first.
+  std::vector<OpenPart> left(const Eigen::Vector3d& p, const model::View&) const;
   /// The parts within `reach` of p that are unreachable are wanted again.
   void retry(const Eigen::Vector3d& p, double reach);
   /// The middle of the part of an initial segment's edge that is wanted and nearest to p; none: there is no

@@ -1,8 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/following/links/goal_postures.hpp>
 #include <limpet/following/links/halton_internal.hpp>
+#include <limpet/following/links/inverse_kinematics.hpp>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <numbers>
 #include <optional>
@@ -17,37 +17,10 @@ using kinematics::Configuration;
 using kinematics::Posture;
 using kinematics::Robot;
 
-void clamp_to_limits(const Robot& robot, Configuration& at) {
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : robot.links)
-    if (link.joint.kind != kinematics::Joint::Kind::fixed) {
-      at[k] = std::clamp(at[k], link.joint.low, link.joint.high);
-      ++k;
-    }
-}
-
-/// From here, the control point led to the place; none: it does not get there within the limits.
-std::optional<Configuration> led_to(const Robot& robot, Configuration at, const Vector3d& place,
-                                    double precision) {
-  constexpr int kSteps = 40;
-  constexpr double kDamping = 1e-3, kLongest = 0.4;
-  for (int i = 0; i < kSteps; ++i) {
-    const Posture posture(robot, at);
-    const Vector3d off = place - posture.control_point();
-    if (off.norm() < precision) return at;
-    const Eigen::Matrix3Xd jacobian = posture.jacobian();
-    const Eigen::Matrix3d square =
-        jacobian * jacobian.transpose() + kDamping * jacobian.squaredNorm() * Eigen::Matrix3d::Identity();
-    Configuration step = jacobian.transpose() * square.ldlt().solve(off);
-    if (step.norm() > kLongest) step *= kLongest / step.norm();
-    at += step;
-    clamp_to_limits(robot, at);
-  }
-  return std::nullopt;
-}
+constexpr double kPrecision = 0.1;  // λ
 
 /// The nodes whose control points are nearest to the place, no two of one kind of posture.
-std::vector<Configuration> seeds_of(const Roadmap& roadmap, const Vector3d& place, std::size_t most) {
+std::vector<Configuration> nodes_near(const Roadmap& roadmap, const Vector3d& place, std::size_t most) {
   constexpr double kOther = 8;  // steps from each other
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < roadmap.nodes().size(); ++i)
@@ -62,6 +35,108 @@ std::vector<Configuration> seeds_of(const Roadmap& roadmap, const Vector3d& plac
       seeds.push_back(at);
   }
   return seeds;
+}
+
+std::vector<Configuration> seeds_of(const Robot& robot, const Roadmap& roadmap, const Vector3d& place) {
+  constexpr std::size_t kNodes = 24, kSpread = 120;
+  std::vector<Configuration> seeds = nodes_near(roadmap, place, kNodes);
+  const Eigen::Index joints = roadmap.nodes().front().at.size();
+  for (int i = 1; i <= static_cast<int>(kSpread); ++i)
+    seeds.push_back(spread_over(robot, internal::halton(i, joints)));
+  return seeds;
+}
+
+/// Clear configurations, no two of them the same.
+class Goals {
+ public:
+  Goals(const LinkMotion& links, const Roadmap& roadmap) : links_(links), roadmap_(roadmap) {}
+
+  bool is_new(const Configuration& at) const {
+    constexpr double kSame = 2;  // steps
+    return std::none_of(found_.begin(), found_.end(),
+                        [&](const Configuration& other) { return roadmap_.steps(other, at) < kSame; });
+  }
+
+  void add(const Posture& posture) {
+    const Configuration& at = posture.configuration();
+    if (!links_.guard().is_clear(posture, links_.obstacles()) || !is_new(at)) return;
+    const std::size_t near = roadmap_.nearest(at, 1).front();
+    order_.emplace_back(!lies_in_sensed(links_, posture), roadmap_.steps(roadmap_.nodes()[near].at, at),
+                        found_.size());
+    found_.push_back(at);
+  }
+
+  std::vector<Configuration> best() const {
+    constexpr std::size_t kMost = 6;
+    auto order = order_;
+    std::sort(order.begin(), order.end());
+    std::vector<Configuration> goals;
+    for (std::size_t i = 0; i < std::min(kMost, order.size()); ++i)
+      goals.push_back(found_[std::get<2>(order[i])]);
+    return goals;
+  }
+
+ private:
+  using Rank = std::tuple<bool, double, std::size_t>;  // unsensed, steps from the roadmap, index
+  const LinkMotion& links_;
+  const Roadmap& roadmap_;
+  std::vector<Configuration> found_;
+  std::vector<Rank> order_;
+};
+
+/// Looking at a place with a robot's sensors.
+class Look {
+ public:
+  Look(const LinkMotion& links, const Suspicion& suspicion) : links_(links), suspicion_(suspicion) {}
+
+  /// The point on the sensor's axis that is to be brought to the place: the nearest of those at which
+  /// something would be met for certain, and from which the sensor is not too near to it.
+  Vector3d point_of(const Posture::Sensor& sensor) const {
+    constexpr double kBeyond = 0.7;  // λ
+    const LinkParameters& p = links_.parameters();
+    const double nearest = p.control_clearance, farthest = sensor.range - kBeyond * p.resolution;
+    const double along = (suspicion_.at - sensor.position).dot(sensor.axis);
+    return sensor.position + std::clamp(along, std::min(nearest, farthest), farthest) * sensor.axis;
+  }
+
+  Task task(const Posture& posture, std::size_t i) const {
+    const Vector3d point = point_of(posture.sensor(i));
+    return {suspicion_.at - point, posture.jacobian(posture.robot().sensors[i].link, point)};
+  }
+
+  /// How far the sensor looks past the place; more for one that looks from behind or along the surface.
+  double miss(const Posture& posture, std::size_t i) const {
+    constexpr double kFrontal = 0.5;
+    const auto sensor = posture.sensor(i);
+    const double turned = std::max(0.0, kFrontal + sensor.axis.dot(suspicion_.normal));
+    return (suspicion_.at - point_of(sensor)).norm() + turned * sensor.range;
+  }
+
+  bool sees(const Posture& posture, std::size_t i) const {
+    constexpr double kLeastCosine = 0.26;  // 75°
+    const auto sensor = posture.sensor(i);
+    if (-sensor.axis.dot(suspicion_.normal) < kLeastCosine) return false;
+    const Vector3d way = suspicion_.at - sensor.position;
+    const double free = way.norm() - links_.parameters().resolution / 2;
+    return free <= 0 || !links_.obstacles().view().first_hit(sensor.position, way, free);
+  }
+
+ private:
+  const LinkMotion& links_;
+  const Suspicion& suspicion_;
+};
+
+/// The sensors that look past the place by least.
+std::vector<std::size_t> likeliest(const Look& look, const Posture& posture,
+                                   std::span<const std::size_t> sensors) {
+  constexpr std::size_t kMost = 2;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (const std::size_t i : sensors) order.emplace_back(look.miss(posture, i), i);
+  const std::size_t count = std::min(kMost, order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end());
+  std::vector<std::size_t> likely;
+  for (std::size_t i = 0; i < count; ++i) likely.push_back(order[i].second);
+  return likely;
 }
 
 }  // namespace
@@ -87,35 +162,32 @@ bool lies_in_sensed(const LinkMotion& links, const Posture& posture) {
 
 std::vector<Configuration> goal_postures(const LinkMotion& links, const Roadmap& roadmap,
                                          const Vector3d& place) {
-  constexpr std::size_t kSeeds = 24, kSpread = 120, kMost = 6;
-  constexpr double kPrecision = 0.1, kSame = 2;  // λ; steps
   const Robot& robot = links.guard().robot();
-  std::vector<Configuration> seeds = seeds_of(roadmap, place, kSeeds);
-  const Eigen::Index joints = roadmap.nodes().front().at.size();
-  for (int i = 1; i <= static_cast<int>(kSpread); ++i)
-    seeds.push_back(spread_over(robot, internal::halton(i, joints)));
+  const double precision = kPrecision * links.parameters().resolution;
+  const auto task = [&](const Posture& posture) {
+    return Task{place - posture.control_point(), posture.jacobian()};
+  };
+  Goals goals(links, roadmap);
+  for (const Configuration& seed : seeds_of(robot, roadmap, place))
+    if (const auto at = led_to(robot, seed, task, precision)) goals.add(Posture(robot, *at));
+  return goals.best();
+}
 
-  using Goal = std::tuple<bool, double, std::size_t>;  // unsensed, steps from the roadmap, index
-  std::vector<Configuration> found;
-  std::vector<Goal> order;
-  for (const Configuration& seed : seeds) {
-    const auto at = led_to(robot, seed, place, kPrecision * links.parameters().resolution);
-    if (!at) continue;
-    const Posture posture(robot, *at);
-    if (!links.guard().is_clear(posture, links.obstacles())) continue;
-    if (std::any_of(found.begin(), found.end(),
-                    [&](const Configuration& other) { return roadmap.steps(other, *at) < kSame; }))
-      continue;
-    const std::size_t near = roadmap.nearest(*at, 1).front();
-    order.emplace_back(!lies_in_sensed(links, posture), roadmap.steps(roadmap.nodes()[near].at, *at),
-                       found.size());
-    found.push_back(*at);
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<Configuration> goals;
-  for (std::size_t i = 0; i < std::min(kMost, order.size()); ++i)
-    goals.push_back(found[std::get<2>(order[i])]);
-  return goals;
+std::vector<Configuration> sighting_postures(const LinkMotion& links, const Roadmap& roadmap,
+                                             const Suspicion& suspicion,
+                                             std::span<const std::size_t> sensors) {
+  const Robot& robot = links.guard().robot();
+  const double precision = kPrecision * links.parameters().resolution;
+  const Look look(links, suspicion);
+  Goals goals(links, roadmap);
+  for (const Configuration& seed : seeds_of(robot, roadmap, suspicion.at))
+    for (const std::size_t i : likeliest(look, Posture(robot, seed), sensors)) {
+      const auto task = [&](const Posture& posture) { return look.task(posture, i); };
+      const auto at = led_to(robot, seed, task, precision);
+      if (!at || !goals.is_new(*at)) continue;
+      if (const Posture posture(robot, *at); look.sees(posture, i)) goals.add(posture);
+    }
+  return goals.best();
 }
 
 }  // namespace limpet::following

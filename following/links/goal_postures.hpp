@@ -4,16 +4,31 @@
 #include <Eigen/Core>
 #include <limpet/following/links/link_motion.hpp>
 #include <limpet/following/links/roadmap.hpp>
+#include <span>
 #include <vector>
 
 namespace limpet::following {
 
-/// Clear configurations (LinkGuard::is_clear()) with the control point at a place (world), to a tenth of λ:
-/// found by the damped inverse of the Jacobian from configurations of the roadmap, nearest place first, and
-/// from others spread over the joints' ranges. Those that lie in sensed space come first, then by how near
-/// they are to the roadmap. Few: at most 6; empty when none is found. The same calls give the same answer.
+// Where a robot is to go: configurations that are clear by what is known (LinkGuard::is_clear()), found by
+// the damped inverse of the Jacobian from configurations of the roadmap, nearest first, and from others
+// spread over the joints' ranges. Those that lie in sensed space come first, then by how near they are to the
+// roadmap. Few: at most 6; empty when none is found. The same calls give the same answer.
+
+/// With the control point at a place (world), to a tenth of λ.
 std::vector<kinematics::Configuration> goal_postures(const LinkMotion&, const Roadmap&,
                                                      const Eigen::Vector3d& place);
+
+/// A place where surface is suspected (world).
+struct Suspicion {
+  Eigen::Vector3d at;
+  Eigen::Vector3d normal;  ///< the way that surface would face; a unit vector
+};
+
+/// With one of these sensors looking at the place: its axis goes through it to a tenth of λ, at 75° of
+/// incidence or less, and so far within its range that the ray tells whether anything is there (0.7 λ
+/// beyond); nothing of the model is between.
+std::vector<kinematics::Configuration> sighting_postures(const LinkMotion&, const Roadmap&, const Suspicion&,
+                                                         std::span<const std::size_t> sensors);
 
 /// A configuration within the joints' ranges, those without limits from −π to π, by the numbers from 0 to 1.
 kinematics::Configuration spread_over(const kinematics::Robot&, const Eigen::VectorXd& unit);

@@ -19,6 +19,8 @@ class Obstacles {
   Obstacles(const model::View& view, std::vector<Eigen::Vector3d> readings, double reading_radius)
       : view_(view), readings_(std::move(readings)), radius_(reading_radius) {}
 
+  const model::View& view() const { return view_; }
+
   /// Distance of a capsule (world) from the nearest obstacle, or `reach` when there is none that near.
   double distance(const model::Capsule&, double reach) const;
   /// The nearest segment of the model to each link, if it is within `reach` (thesis §3.3: one pair of points

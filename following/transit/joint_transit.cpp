@@ -15,11 +15,14 @@ using kinematics::Configuration;
 
 class JointTransit final : public Transit {
  public:
-  explicit JointTransit(LinkMotion& links) : links_(links), roadmap_(links.guard()) {}
+  explicit JointTransit(LinkMotion& links);
 
   void arrive(const Observation&) override;
   bool begin(const Wanted&) override;
-  bool begin_to(const Vector3d& place) override;
+  bool begin_to(const Vector3d& place) override {
+    return begin_to_one_of(goal_postures(links_, roadmap_, place));
+  }
+  bool begin_to_see(const Suspicion&) override;
   void stop() override { way_.clear(); }
   void arrived() override { way_.clear(), stops_ = 0; }
   bool is_under_way() const override { return !way_.empty(); }
@@ -32,6 +35,7 @@ class JointTransit final : public Transit {
   static constexpr double kThere = 0.05;  ///< steps from a configuration: there
 
   const Roadmap::Node& node(std::size_t i) const { return roadmap_.nodes()[i]; }
+  bool begin_to_one_of(const std::vector<Configuration>& goals);
   void set_way(std::vector<std::size_t> way, Mode);
   bool go_round(const Observation&);
   bool is_stopped(const Configuration& here);
@@ -40,6 +44,7 @@ class JointTransit final : public Transit {
 
   LinkMotion& links_;
   Roadmap roadmap_;
+  std::vector<std::size_t> at_control_point_, elsewhere_;  ///< sensors
   Mode mode_ = Mode::travel;
   std::vector<std::size_t> way_;  ///< nodes, the next one last
   long steps_left_ = 0;           ///< until the goal is given up
@@ -47,6 +52,18 @@ class JointTransit final : public Transit {
   std::size_t leg_ = 0;           ///< the next node, at the last look
   double left_ = 0;               ///< steps to it then
 };
+
+JointTransit::JointTransit(LinkMotion& links) : links_(links), roadmap_(links.guard()) {
+  constexpr double kNear = 2;  // λ
+  const kinematics::Robot& robot = links.guard().robot();
+  for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
+    const auto& sensor = robot.sensors[i];
+    const bool is_near =
+        sensor.link == robot.control_point.link &&
+        (sensor.position - robot.control_point.position).norm() <= kNear * links.parameters().resolution;
+    (is_near ? at_control_point_ : elsewhere_).push_back(i);
+  }
+}
 
 void JointTransit::arrive(const Observation& seen) {
   roadmap_.arrive(seen.posture, links_.obstacles());
@@ -60,12 +77,19 @@ bool JointTransit::begin(const Wanted& wanted) {
   return is_under_way();
 }
 
-bool JointTransit::begin_to(const Vector3d& place) {
-  const auto plan = plan_to(goal_postures(links_, roadmap_, place), links_, roadmap_);
+bool JointTransit::begin_to_one_of(const std::vector<Configuration>& goals) {
+  const auto plan = plan_to(goals, links_, roadmap_);
   if (!plan) return false;
   const std::size_t goal = roadmap_.add_way(plan->from, plan->after);
   set_way(roadmap_.way_to([&](std::size_t i) { return i == goal; }), Mode::reposition);
   return is_under_way();
+}
+
+/// From where a sensor at the control point sees something, the strategy goes on by itself.
+bool JointTransit::begin_to_see(const Suspicion& suspicion) {
+  for (const auto* sensors : {&at_control_point_, &elsewhere_})
+    if (begin_to_one_of(sighting_postures(links_, roadmap_, suspicion, *sensors))) return true;
+  return false;
 }
 
 /// Without what can be left out: from each node straight to the farthest that can be gone to, of those that

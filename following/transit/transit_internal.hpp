@@ -5,6 +5,7 @@
 #include <functional>
 #include <limpet/following/clearance.hpp>
 #include <limpet/following/follower.hpp>
+#include <limpet/following/links/goal_postures.hpp>
 #include <limpet/following/links/link_motion.hpp>
 #include <memory>
 #include <vector>
@@ -27,6 +28,9 @@ class Transit {
   virtual bool begin(const Wanted&) = 0;
   /// Begins a way to a place of the control point, if there may be one.
   virtual bool begin_to(const Eigen::Vector3d& place) = 0;
+  /// Begins a way to where a sensor looks at a place where surface is suspected, if one is found: one at the
+  /// control point if that can be. A point, which does not turn, has other ways to do that.
+  virtual bool begin_to_see(const Suspicion&) { return false; }
   virtual void stop() = 0;
   /// Something has been found to do.
   virtual void arrived() = 0;
