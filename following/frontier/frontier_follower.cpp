@@ -62,7 +62,7 @@ class FrontierFollower : public Follower {
   bool tells_of_nothing(const kinematics::Posture&) const;
   void close_aim(const kinematics::Posture&, bool has_moved);
   Motion go_on(const Observation&);
-  void give_up_what_is_near();
+  void give_up_what_is_near(const Observation&);
   Motion travel(const Observation&, bool has_moved);
   bool begin_travel(const Observation&);
   bool begin_anew_elsewhere(const Observation&);
@@ -216,10 +216,11 @@ Motion FrontierFollower::go_on(const Observation& seen) {
 
 /// From here nothing can be aimed at: all targets near are blocked, for now. Where that was judged and not
 /// tried, to try it again would tell nothing new.
-void FrontierFollower::give_up_what_is_near() {
+void FrontierFollower::give_up_what_is_near(const Observation& seen) {
   const int times = judge() ? internal::PlaceMemory::kBlocked : 1;
   for (const Target& target : outlook_.targets)
     for (int i = 0; i < times; ++i) memory_.note_blocked(target.at, target.normal);
+  if (judge()) look_around(seen);
 }
 
 /// The number of sets after which it is asked again what would close. An answer takes the longer, the more
@@ -289,10 +290,7 @@ bool FrontierFollower::begin_to_see(const Target& target) {
     return false;
   }
   sought_ = target;
-  if ((transit_->goal() - target.at).norm() < aiming_reach()) {
-    open_.retry(target.at, aiming_reach());
-    memory_.forget_blocked(target.at, aiming_reach());
-  }
+  tried_.put(target.at, target.normal);
   return true;
 }
 
@@ -300,8 +298,8 @@ bool FrontierFollower::begin_to_see(const Target& target) {
 void FrontierFollower::look_at_sought(const Observation& seen) {
   const View view = seen.model.view();
   const auto rays = free_rays(seen, lambda(), kSurface * lambda());
-  tried_.put(sought_->at, sought_->normal);
   note_empty({*sought_}, rays);
+  memory_.forget_blocked(seen.posture.control_point(), aiming_reach());
   open_.near(sought_->at, 2 * lambda(), view, parts_);
   internal::Outlook there;
   for (const OpenPart& part : parts_)
@@ -321,8 +319,7 @@ Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
     const auto progress = transit_->look(seen, has_moved);
     if (progress == internal::Travel::Progress::hopeless) {
       open_.give_up(transit_->goal(), aiming_reach());
-      if (sought_) tried_.put(sought_->at, sought_->normal);
-      give_up_what_is_near();  // it is looked at at every step, and would be wanted again for ever
+      give_up_what_is_near(seen);  // it is looked at at every step, and would be wanted again for ever
     }
     if (progress != internal::Travel::Progress::good) transit_->stop();
   }
@@ -366,12 +363,12 @@ Motion FrontierFollower::choose(const Observation& seen) {
   look_around(seen);
   clearance().suspect(outlook_.suspected);
   close_aim(seen.posture, has_moved);
-  if (!outlook_.targets.empty()) {
+  if (!outlook_.targets.empty() && !sought_) {
     if (const Motion motion = go_on(seen); motion.mode != Mode::none) {
       transit_->arrived();
       return motion;
     }
-    if (!transit_->is_under_way()) give_up_what_is_near();
+    if (!transit_->is_under_way()) give_up_what_is_near(seen);
   }
   return travel(seen, has_moved);
 }

@@ -101,13 +101,16 @@ PartState TargetFinder::add_targets(const View& view, const OpenPart& part, Bord
 /// Places on the edge and close outside it, whatever is known there.
 PartState TargetFinder::insist(const OpenPart& part, const Border& border,
                                std::vector<Target>& targets) const {
+  PartState state = PartState::unclosable;
   for (const double off : {0.4, 0.0, 0.85}) {
     const Vector3d at = part.middle() + off * lambda_ * border.outward;
-    if (!is_open(at, border.normal)) continue;
+    const auto tries = memory_.at(at, border.normal);
+    if (tries.is_blocked()) state = PartState::unreachable;
+    if (tries.is_empty() || tries.is_given_up()) continue;
     targets.push_back({at, border.normal, 0.9});
     return PartState::wanted;
   }
-  return PartState::unclosable;
+  return state;
 }
 
 void TargetFinder::add_around_point(const View& view, const Vector3d& point, const Vector3d& viewpoint,
