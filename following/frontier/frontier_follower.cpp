@@ -321,7 +321,7 @@ Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
       open_.give_up(transit_->goal(), aiming_reach());
       give_up_what_is_near(seen);  // it is looked at at every step, and would be wanted again for ever
     }
-    if (progress != internal::Travel::Progress::good) transit_->stop();
+    if (progress != internal::Travel::Progress::good) transit_->stop(), sought_.reset();
   }
   if (!transit_->is_under_way() && !begin_travel(seen))
     return {Vector3d::Zero(), {}, Mode::travel, End::complete};

@@ -61,7 +61,7 @@ class Goals {
     const Configuration& at = posture.configuration();
     if (!links_.guard().is_clear(posture, links_.obstacles()) || !is_new(at)) return;
     const std::size_t near = roadmap_.nearest(at, 1).front();
-    order_.emplace_back(!lies_in_sensed(links_, posture), roadmap_.steps(roadmap_.nodes()[near].at, at),
+    order_.emplace_back(!links_.is_sensed(posture), roadmap_.steps(roadmap_.nodes()[near].at, at),
                         found_.size());
     found_.push_back(at);
   }
@@ -126,17 +126,36 @@ class Look {
   const Suspicion& suspicion_;
 };
 
-/// The sensors that look past the place by least.
-std::vector<std::size_t> likeliest(const Look& look, const Posture& posture,
-                                   std::span<const std::size_t> sensors) {
-  constexpr std::size_t kMost = 2;
-  std::vector<std::pair<double, std::size_t>> order;
-  for (const std::size_t i : sensors) order.emplace_back(look.miss(posture, i), i);
-  const std::size_t count = std::min(kMost, order.size());
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end());
-  std::vector<std::size_t> likely;
-  for (std::size_t i = 0; i < count; ++i) likely.push_back(order[i].second);
-  return likely;
+/// A configuration to begin with, and the sensor that is to see.
+struct Start {
+  Configuration at;
+  std::size_t sensor;
+};
+
+/// Of all nodes of the roadmap, and of configurations spread over the joints' ranges, those that look past the
+/// place by least, and with which sensor.
+std::vector<Start> starts_of(const Look& look, const Robot& robot, const Roadmap& roadmap,
+                             std::span<const std::size_t> sensors) {
+  constexpr int kSpread = 400, kSensors = 2;
+  constexpr std::size_t kMost = 240;
+  std::vector<Configuration> from;
+  for (const Roadmap::Node& node : roadmap.nodes()) from.push_back(node.at);
+  const Eigen::Index joints = from.front().size();
+  for (int i = 1; i <= kSpread; ++i) from.push_back(spread_over(robot, internal::halton(i, joints)));
+
+  std::vector<std::tuple<double, std::size_t, std::size_t>> order;  // miss, configuration, sensor
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Posture posture(robot, from[i]);
+    const std::size_t first = order.size();
+    for (const std::size_t sensor : sensors) order.emplace_back(look.miss(posture, sensor), i, sensor);
+    std::sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.end());
+    order.resize(std::min(order.size(), first + kSensors));
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Start> starts;
+  for (std::size_t i = 0; i < std::min(kMost, order.size()); ++i)
+    starts.push_back({from[std::get<1>(order[i])], std::get<2>(order[i])});
+  return starts;
 }
 
 }  // namespace
@@ -151,13 +170,6 @@ Configuration spread_over(const Robot& robot, const Eigen::VectorXd& unit) {
     ++k;
   }
   return at;
-}
-
-bool lies_in_sensed(const LinkMotion& links, const Posture& posture) {
-  const auto& body = links.guard().body();
-  return std::all_of(body.begin(), body.end(), [&](const kinematics::BodyPart& part) {
-    return links.sensed().holds(kinematics::in_world(part, posture));
-  });
 }
 
 std::vector<Configuration> goal_postures(const LinkMotion& links, const Roadmap& roadmap,
@@ -180,13 +192,12 @@ std::vector<Configuration> sighting_postures(const LinkMotion& links, const Road
   const double precision = kPrecision * links.parameters().resolution;
   const Look look(links, suspicion);
   Goals goals(links, roadmap);
-  for (const Configuration& seed : seeds_of(robot, roadmap, suspicion.at))
-    for (const std::size_t i : likeliest(look, Posture(robot, seed), sensors)) {
-      const auto task = [&](const Posture& posture) { return look.task(posture, i); };
-      const auto at = led_to(robot, seed, task, precision);
-      if (!at || !goals.is_new(*at)) continue;
-      if (const Posture posture(robot, *at); look.sees(posture, i)) goals.add(posture);
-    }
+  for (const Start& start : starts_of(look, robot, roadmap, sensors)) {
+    const auto task = [&](const Posture& posture) { return look.task(posture, start.sensor); };
+    const auto at = led_to(robot, start.at, task, precision);
+    if (!at || !goals.is_new(*at)) continue;
+    if (const Posture posture(robot, *at); look.sees(posture, start.sensor)) goals.add(posture);
+  }
   return goals.best();
 }
 

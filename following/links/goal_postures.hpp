@@ -33,7 +33,4 @@ std::vector<kinematics::Configuration> sighting_postures(const LinkMotion&, cons
 /// A configuration within the joints' ranges, those without limits from −π to π, by the numbers from 0 to 1.
 kinematics::Configuration spread_over(const kinematics::Robot&, const Eigen::VectorXd& unit);
 
-/// Do all links lie in space that was seen to be free?
-bool lies_in_sensed(const LinkMotion&, const kinematics::Posture&);
-
 }  // namespace limpet::following

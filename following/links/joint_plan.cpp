@@ -81,7 +81,7 @@ class Planner {
   }
 
   bool is_allowed(const Configuration& at) const {
-    return !only_sensed_ || lies_in_sensed(links_, Posture(links_.guard().robot(), at));
+    return !only_sensed_ || links_.is_sensed(Posture(links_.guard().robot(), at));
   }
 
   bool connects(const Configuration& a, const Configuration& b) const {

@@ -101,9 +101,22 @@ Configuration LinkMotion::by_thesis(const Vector3d& motion) {
                              kinematics::redundant_changes(*posture_, motion, z, parameters_.objective.gain));
 }
 
+bool LinkMotion::is_sensed(const Posture& posture) const {
+  const auto& body = guard_.body();
+  return std::all_of(body.begin(), body.end(), [&](const kinematics::BodyPart& part) {
+    return sensed_.holds(kinematics::in_world(part, posture));
+  });
+}
+
+/// What a step may enter its own sensors have seen to be free, however the way was found.
 Configuration LinkMotion::towards(const Configuration& there) const {
-  const Configuration way = there - posture_->configuration();
-  return guard_.longest(*posture_, kinematics::limited(*posture_, way), *obstacles_);
+  constexpr int kHalvings = 3;
+  Configuration way = kinematics::limited(*posture_, there - posture_->configuration());
+  for (int i = 0; i <= kHalvings; ++i, way /= 2) {
+    way = guard_.longest(*posture_, way, *obstacles_);
+    if (is_sensed(Posture(guard_.robot(), posture_->configuration() + way))) return way;
+  }
+  return Configuration::Zero(way.size());
 }
 
 /// Where something is too near and the programme finds no motion away from all of it: of small motions every

@@ -57,13 +57,16 @@ class LinkMotion {
 
   const Obstacles& obstacles() const { return *obstacles_; }
   const SensedSpace& sensed() const { return sensed_; }
+  /// Do all links lie in space that was seen to be free (SensedSpace)?
+  bool is_sensed(const kinematics::Posture&) const;
   /// Smallest distance of a link from the model and from readings that it does not have, as far as the
   /// objective's influence; infinite beyond.
   double clearance() const { return clearance_; }
 
   /// The changes for a motion of the control point (world, scan's unit).
   kinematics::Configuration changes(const Eigen::Vector3d& motion);
-  /// The longest step straight towards a configuration that is clear; none: zero. Precondition: is_checked().
+  /// The longest step straight towards a configuration that is clear and leads where space was seen to be
+  /// free; none: zero. Precondition: is_checked().
   kinematics::Configuration towards(const kinematics::Configuration&) const;
   /// The posture to which such changes, one after the other and without halving, would bring the control
   /// point to this place in a few steps more than its way takes, by what is known now; none: they do not.

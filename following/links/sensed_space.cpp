@@ -4,10 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace limpet::following {
 
 using Eigen::Vector3d;
+
+namespace {
+
+/// Calls f(from, to) for lines along a capsule: its axis, and if it is wider than a cell lines on its surface
+/// that are no more than about a cell apart, in its ends' caps, too.
+template <class F>
+void for_each_line(const model::Capsule& capsule, double cell, F&& f) {
+  const double length = (capsule.b - capsule.a).norm();
+  const Vector3d along = length > 0 ? Vector3d((capsule.b - capsule.a) / length) : Vector3d::UnitZ();
+  const Vector3d u = along.unitOrthogonal(), v = along.cross(u), cap = capsule.radius * along;
+  f(capsule.a - cap, capsule.b + cap);
+  if (2 * capsule.radius < cell) return;
+  const int around = std::max(4, static_cast<int>(std::ceil(2 * std::numbers::pi * capsule.radius / cell)));
+  for (int i = 0; i < around; ++i) {
+    const double angle = 2 * std::numbers::pi * i / around;
+    const Vector3d off = capsule.radius * (std::cos(angle) * u + std::sin(angle) * v);
+    f(capsule.a + off, capsule.b + off);
+    f(capsule.a + (off - cap) / std::numbers::sqrt2, capsule.b + (off + cap) / std::numbers::sqrt2);
+  }
+}
+
+}  // namespace
 
 /// 21 bits of each index: places 2^20 cells away and more share cells.
 std::uint64_t SensedSpace::key_of(const Vector3d& place) const {
@@ -43,16 +66,23 @@ void SensedSpace::add(const Observation& seen, std::span<const kinematics::BodyP
     add_line(s.position, s.position + s.range * s.axis);
   }
   for (const kinematics::BodyPart& part : body) {
-    const model::Capsule capsule = kinematics::in_world(part, seen.posture);
-    add_line(capsule.a, capsule.b);
+    for_each_line(kinematics::in_world(part, seen.posture), cell_,
+                  [&](const Vector3d& from, const Vector3d& to) { add_line(from, to); });
   }
 }
 
-bool SensedSpace::holds(const model::Capsule& capsule) const {
-  const int pieces = pieces_of(capsule.a, capsule.b);
+bool SensedSpace::holds_line(const Vector3d& from, const Vector3d& to) const {
+  const int pieces = pieces_of(from, to);
   for (int i = 0; i <= pieces; ++i)
-    if (!holds(capsule.a + (capsule.b - capsule.a) * (static_cast<double>(i) / pieces))) return false;
+    if (!holds(from + (to - from) * (static_cast<double>(i) / pieces))) return false;
   return true;
+}
+
+bool SensedSpace::holds(const model::Capsule& capsule) const {
+  bool all = true;
+  for_each_line(capsule, cell_,
+                [&](const Vector3d& from, const Vector3d& to) { all = all && holds_line(from, to); });
+  return all;
 }
 
 }  // namespace limpet::following
