@@ -138,6 +138,18 @@ std::vector<RangeSensor> ball(const Ball& ball) {
   return sensors;
 }
 
+namespace {
+
+std::size_t count_around(const model::Capsule& part, const Skin& skin) {
+  constexpr double kFewest = 4;
+  if (skin.count > 0) return skin.count;
+  const double around = std::numbers::pi * (part.radius / skin.spacing + 1);
+  require_pattern(around < kMostRings, "the spacing of a skin is too small for its link");
+  return static_cast<std::size_t>(std::max(kFewest, std::ceil(around)));
+}
+
+}  // namespace
+
 std::vector<RangeSensor> skin(const Robot& robot, const Skin& skin) {
   require_pattern(skin.link < robot.links.size(), "a skin must be on a link");
   require_pattern(skin.spacing > 0, "the spacing of a skin must be more than 0");
@@ -147,10 +159,10 @@ std::vector<RangeSensor> skin(const Robot& robot, const Skin& skin) {
     const double length = (part.b - part.a).norm();
     require_pattern(length / skin.spacing < kMostRings, "the spacing of a skin is too small for its link");
     const auto steps = static_cast<std::size_t>(std::ceil(length / skin.spacing));
+    const std::size_t count = count_around(part, skin);
     const std::vector<RangeSensor> more =
-        length > 0
-            ? rings({skin.link, part.a, part.b, steps + 1, part.radius, skin.count, 0, true, skin.range})
-            : ring({skin.link, part.a, Vector3d::UnitZ(), part.radius, skin.count, 0, 0, skin.range});
+        length > 0 ? rings({skin.link, part.a, part.b, steps + 1, part.radius, count, 0, true, skin.range})
+                   : ring({skin.link, part.a, Vector3d::UnitZ(), part.radius, count, 0, 0, skin.range});
     for (const RangeSensor& sensor : more) {
       const auto hides = [&](const model::Capsule& other) {
         return &other != &part && is_inside(sensor.position, other);
@@ -170,7 +182,7 @@ std::vector<RangeSensor> usual_sensors(const Robot& robot, double range) {
     const Link& link = robot.links[i];
     is_moved[i] = link.joint.kind != Joint::Kind::fixed || (link.parent && is_moved[*link.parent]);
     if (!is_moved[i]) continue;
-    const std::vector<RangeSensor> more = skin(robot, {i, range / 2, Skin().count, range});
+    const std::vector<RangeSensor> more = skin(robot, {.link = i, .spacing = range / 2, .range = range});
     sensors.insert(sensors.end(), more.begin(), more.end());
   }
   return sensors;

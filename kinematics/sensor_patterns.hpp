@@ -71,8 +71,10 @@ std::vector<RangeSensor> ball(const Ball&);
 /// be inside another capsule of the link.
 struct Skin {
   std::size_t link = 0;
-  double spacing = 0;     ///< of the rings, at most; a capsule has one at each end, or one if it is a ball
-  std::size_t count = 4;  ///< sensors of each ring
+  double spacing = 0;  ///< of the rings, at most; a capsule has one at each end, or one if it is a ball
+  /// Sensors of each ring; 0: as many as let two neighbours' rays be no more than two spacings apart where
+  /// they are one spacing from the capsule, and at least 4.
+  std::size_t count = 0;
   double range = 0;
 };
 std::vector<RangeSensor> skin(const Robot&, const Skin&);

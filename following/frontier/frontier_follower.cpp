@@ -285,12 +285,13 @@ bool FrontierFollower::was_tried(const Target& target) const {
 
 /// Begins a way to where a sensor looks at a target, unless that was tried before.
 bool FrontierFollower::begin_to_see(const Target& target) {
-  if (was_tried(target) || !transit_->begin_to_see({target.at, target.normal})) {
+  const bool was_tried = this->was_tried(target);
+  if (!was_tried) tried_.put(target.at, target.normal);
+  if (was_tried || !transit_->begin_to_see({target.at, target.normal})) {
     for (int i = 0; i < internal::PlaceMemory::kBlocked; ++i) memory_.note_blocked(target.at, target.normal);
     return false;
   }
   sought_ = target;
-  tried_.put(target.at, target.normal);
   return true;
 }
 

@@ -19,15 +19,22 @@ using kinematics::Robot;
 
 constexpr double kPrecision = 0.1;  // λ
 
+/// The nodes of the roadmap, that whose control point is nearest to the place first.
+std::vector<std::size_t> by_distance(const Roadmap& roadmap, const Vector3d& place) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < roadmap.nodes().size(); ++i)
+    order.emplace_back((roadmap.nodes()[i].place - place).squaredNorm(), i);
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> nodes;
+  for (const auto& [distance2, node] : order) nodes.push_back(node);
+  return nodes;
+}
+
 /// The nodes whose control points are nearest to the place, no two of one kind of posture.
 std::vector<Configuration> nodes_near(const Roadmap& roadmap, const Vector3d& place, std::size_t most) {
   constexpr double kOther = 8;  // steps from each other
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < roadmap.nodes().size(); ++i)
-    order.emplace_back((roadmap.nodes()[i].place - place).norm(), i);
-  std::sort(order.begin(), order.end());
   std::vector<Configuration> seeds;
-  for (const auto& [distance, node] : order) {
+  for (const std::size_t node : by_distance(roadmap, place)) {
     if (seeds.size() == most) break;
     const Configuration& at = roadmap.nodes()[node].at;
     if (std::all_of(seeds.begin(), seeds.end(),
@@ -67,7 +74,7 @@ class Goals {
   }
 
   std::vector<Configuration> best() const {
-    constexpr std::size_t kMost = 6;
+    constexpr std::size_t kMost = 4;
     auto order = order_;
     std::sort(order.begin(), order.end());
     std::vector<Configuration> goals;
@@ -132,17 +139,27 @@ struct Start {
   std::size_t sensor;
 };
 
-/// Of all nodes of the roadmap, and of configurations spread over the joints' ranges, those that look past the
-/// place by least, and with which sensor.
-std::vector<Start> starts_of(const Look& look, const Robot& robot, const Roadmap& roadmap,
-                             std::span<const std::size_t> sensors) {
-  constexpr int kSpread = 400, kSensors = 2;
-  constexpr std::size_t kMost = 240;
+/// Nodes of the roadmap whose control points are nearest to the place, some of all others, and configurations
+/// spread over the joints' ranges.
+std::vector<Configuration> configurations_for(const Robot& robot, const Roadmap& roadmap,
+                                              const Vector3d& place) {
+  constexpr std::size_t kNear = 200, kFar = 200;
+  constexpr int kSpread = 400;
+  const std::vector<std::size_t> order = by_distance(roadmap, place);
+  const std::size_t every = 1 + order.size() / kFar;
   std::vector<Configuration> from;
-  for (const Roadmap::Node& node : roadmap.nodes()) from.push_back(node.at);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (i < kNear || i % every == 0) from.push_back(roadmap.nodes()[order[i]].at);
   const Eigen::Index joints = from.front().size();
   for (int i = 1; i <= kSpread; ++i) from.push_back(spread_over(robot, internal::halton(i, joints)));
+  return from;
+}
 
+/// Of these configurations those that look past the place by least, and with which sensor.
+std::vector<Start> starts_of(const Look& look, const Robot& robot, const std::vector<Configuration>& from,
+                             std::span<const std::size_t> sensors) {
+  constexpr int kSensors = 2;
+  constexpr std::size_t kMost = 240;
   std::vector<std::tuple<double, std::size_t, std::size_t>> order;  // miss, configuration, sensor
   for (std::size_t i = 0; i < from.size(); ++i) {
     const Posture posture(robot, from[i]);
@@ -191,8 +208,9 @@ std::vector<Configuration> sighting_postures(const LinkMotion& links, const Road
   const Robot& robot = links.guard().robot();
   const double precision = kPrecision * links.parameters().resolution;
   const Look look(links, suspicion);
+  const std::vector<Configuration> from = configurations_for(robot, roadmap, suspicion.at);
   Goals goals(links, roadmap);
-  for (const Start& start : starts_of(look, robot, roadmap, sensors)) {
+  for (const Start& start : starts_of(look, robot, from, sensors)) {
     const auto task = [&](const Posture& posture) { return look.task(posture, start.sensor); };
     const auto at = led_to(robot, start.at, task, precision);
     if (!at || !goals.is_new(*at)) continue;
