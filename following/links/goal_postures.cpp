@@ -17,15 +17,6 @@ using kinematics::Configuration;
 using kinematics::Posture;
 using kinematics::Robot;
 
-void clamp_to_limits(const Robot& robot, Configuration& at) {
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : robot.links)
-    if (link.joint.kind != kinematics::Joint::Kind::fixed) {
-      at[k] = std::clamp(at[k], link.joint.low, link.joint.high);
-      ++k;
-    }
-}
-
 /// From here, the control point led to the place; none: it does not get there within the limits.
 std::optional<Configuration> led_to(const Robot& robot, Configuration at, const Vector3d& place,
                                     double precision) {
@@ -40,8 +31,7 @@ std::optional<Configuration> led_to(const Robot& robot, Configuration at, const 
         jacobian * jacobian.transpose() + kDamping * jacobian.squaredNorm() * Eigen::Matrix3d::Identity();
     Configuration step = jacobian.transpose() * square.ldlt().solve(off);
     if (step.norm() > kLongest) step *= kLongest / step.norm();
-    at += step;
-    clamp_to_limits(robot, at);
+    at = kinematics::within_limits(robot, at + step);
   }
   return std::nullopt;
 }
@@ -68,13 +58,10 @@ std::vector<Configuration> seeds_of(const Roadmap& roadmap, const Vector3d& plac
 
 Configuration spread_over(const Robot& robot, const Eigen::VectorXd& unit) {
   Configuration at = unit;
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : robot.links) {
-    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
-    const double low = std::max(link.joint.low, -std::numbers::pi);
-    at[k] = low + unit[k] * (std::min(link.joint.high, std::numbers::pi) - low);
-    ++k;
-  }
+  kinematics::for_each_moving_joint(robot, [&](Eigen::Index k, const kinematics::Joint& joint) {
+    const double low = std::max(joint.low, -std::numbers::pi);
+    at[k] = low + unit[k] * (std::min(joint.high, std::numbers::pi) - low);
+  });
   return at;
 }
 
