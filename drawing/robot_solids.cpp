@@ -74,17 +74,20 @@ void add_robot(const RobotFigure& robot, const Placing& place, Panel& panel) {
         add_line(part->from, part->to, wide, color, panel);
   };
   const auto add_dot = [&](const Vector3d& at, double wide, const io::Color& color) {
-    const Vector3d before = place(at) - wide * Vector3d::UnitZ();  // what is round hides none of it
-    if (within(panel, before, before, wide)) add_line(before, before, wide, color, panel);
+    if (within(panel, at, at, wide)) add_line(at, at, wide, color, panel);
+  };
+  const auto add_dot_on_link = [&](const Vector3d& at, double wide, const io::Color& color) {
+    add_dot(place(at) - wide * Vector3d::UnitZ(), wide, color);  // what is round hides none of it
   };
   for (const model::Capsule& part : robot.body) add_solid(part, place, panel);
   add_lines(robot.bones, 2.5 * width, kRobot);
   add_lines(robot.misses, 0.6 * width, kMiss);
   add_lines(robot.rays, 0.9 * width, kRay);
-  for (const RobotFigure::Line& ray : robot.rays) add_dot(ray.to, 3 * width, kRay);
-  for (const Vector3d& at : robot.quiet) add_dot(at, 1.8 * width, kMiss);
+  for (const auto& [sensor, met] : robot.rays)  // this side of the face, which hides it from the other
+    add_dot(place(met) + 3 * (place(sensor) - place(met)).stableNormalized(), 3 * width, kRay);
+  for (const Vector3d& at : robot.quiet) add_dot_on_link(at, 1.8 * width, kMiss);
   add_lines(robot.fields, 2.2 * width, kSeeing);
-  for (const RobotFigure::Line& field : robot.fields) add_dot(field.from, 4.5 * width, kSeeing);
+  for (const RobotFigure::Line& field : robot.fields) add_dot_on_link(field.from, 4.5 * width, kSeeing);
 }
 
 }  // namespace limpet::drawing

@@ -118,14 +118,14 @@ TEST(RobotFigure, OfThePointRobotHasNoBody) {
 }
 
 /// One panel of 200 × 200 pixels, 100 to a unit, seen from above with the origin in its middle.
-Image picture_of(const Figure& figure) {
+Image picture_of(const Figure& figure, const Vector3d& toward = -kZ) {
   Sheet sheet;
   sheet.width = sheet.height = 200;
   Panel& panel = sheet.panels.emplace_back();
   panel.width = panel.height = 200;
   panel.way_width = 3;
   const Eigen::AlignedBox3d box(Vector3d(-1, -1, -1), Vector3d(1, 1, 1));
-  project(make_scene(figure, false), {-kZ, kY, ""}, box, 100, panel);
+  project(make_scene(figure, false), {toward, kY, ""}, box, 100, panel);
   return paint(sheet);
 }
 
@@ -182,6 +182,14 @@ TEST_F(RobotPicture, NearerThingsHideFartherOnes) {
   const Image behind = picture_of(Figure{cube(), "", {}, {}, robot});
   EXPECT_NE(color_at(before, 0.5, 0.5), color_at(before, 0.8, 0.8));
   EXPECT_EQ(color_at(behind, 0.5, 0.5), color_at(behind, 0.8, 0.8));
+}
+
+TEST_F(RobotPicture, AReadingIsSeenFromItsSideOfTheFace) {
+  Figure figure;
+  figure.model = io::testing::ModelMaker().face({io::testing::rectangle(-0.5, -0.5, 0.5, 0.5, 0)}).make();
+  figure.robot.emplace().rays = {{{0, 0, 0.4}, {0, 0, 0}}};
+  EXPECT_GT(pixels_of(picture_of(figure, -kZ), kRay), 30);
+  EXPECT_EQ(pixels_of(picture_of(figure, kZ), kRay), 0);
 }
 
 TEST_F(RobotPicture, SwitchesThatSeeSomethingStandOut) {
