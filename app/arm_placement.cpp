@@ -79,19 +79,9 @@ std::optional<double> side_shown(const simulation::BuiltWorld& world, const simu
 
 Configuration random_configuration(const Robot& robot, Random& random) {
   Configuration at(static_cast<Eigen::Index>(robot.joint_count()));
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : robot.links)
-    if (link.joint.kind != Joint::Kind::fixed)
-      at[k++] = random.uniform(std::max(link.joint.low, -std::numbers::pi),
-                               std::min(link.joint.high, std::numbers::pi));
-  return at;
-}
-
-Configuration within_limits(const Robot& robot, Configuration at) {
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : robot.links)
-    if (link.joint.kind != Joint::Kind::fixed)
-      at[k] = std::clamp(at[k], link.joint.low, link.joint.high), ++k;
+  kinematics::for_each_moving_joint(robot, [&](Eigen::Index k, const Joint& joint) {
+    at[k] = random.uniform(std::max(joint.low, -std::numbers::pi), std::min(joint.high, std::numbers::pi));
+  });
   return at;
 }
 
@@ -110,7 +100,7 @@ std::optional<Configuration> reaching(const Robot& robot, Configuration at, cons
     const Eigen::Matrix3d square = jacobian * jacobian.transpose() + damping * Eigen::Matrix3d::Identity();
     Configuration step = jacobian.transpose() * square.ldlt().solve(off);
     if (step.norm() > kLongest) step *= kLongest / step.norm();
-    at = within_limits(robot, at + step);
+    at = kinematics::within_limits(robot, at + step);
   }
   return std::nullopt;
 }

@@ -116,6 +116,16 @@ class Recorder {
   std::optional<RunRecord> record_;
 };
 
+/// Judged by the truth, with a line that says how far each search for what an arm can feel is.
+evaluation::RunJudgement judged(const FollowSetup& setup, const FollowOutcome& outcome,
+                                const model::Model& model, bool quiet) {
+  std::optional<Progress> line;
+  return judge_by_truth(setup, outcome, model, false, [&](std::int64_t done, std::int64_t whole) {
+    if (done == 0) line.emplace("judging", whole, quiet);
+    line->step(done);
+  });
+}
+
 }  // namespace
 
 int run(const FollowArguments& args) {
@@ -146,7 +156,7 @@ int run(const FollowArguments& args) {
   save_models(args, follow.model(), summary.run.ended == "interrupted", sets, outputs);
   if (summary.run.collision) tell_collision(args, scene, *summary.run.collision, outputs);
   judge.judge_model(follow.model(), sets);
-  if (setup.world.truth) summary.truth = judge_by_truth(setup, summary.run, follow.model());
+  if (setup.world.truth) summary.truth = judged(setup, summary.run, follow.model(), args.quiet);
   summary.links = judge_links(setup, summary.run);
   summary.has_switches = !setup.robot.switches.empty();
   return save_result(args, std::move(summary), follow.model(), judge, outputs);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <limpet/app/arguments.hpp>
+#include <limpet/app/run_stages.hpp>
 #include <limpet/evaluation/label_overlaps.hpp>
 #include <limpet/following/follower.hpp>
 #include <limpet/following/links/link_motion.hpp>
@@ -133,7 +134,7 @@ int run_by_labels(const CompareArguments&);
 
 struct DrawArguments {
   std::vector<std::string> models;  ///< and recorded runs
-  int stages = 4;                   ///< of each run
+  RunStages stages;                 ///< of each run
   std::string picture;
   int width = 1600;                    ///< pixels
   std::vector<Eigen::Vector3d> views;  ///< from where to look, as seen from the model

@@ -31,8 +31,10 @@ std::vector<evaluation::GivenUp> given_up(const model::View& view, const followi
 }  // namespace
 
 evaluation::RunJudgement judge_by_truth(const FollowSetup& setup, const FollowOutcome& outcome,
-                                        const model::Model& model, bool with_tour) {
+                                        const model::Model& model, bool with_tour,
+                                        const evaluation::SearchProgress& progress) {
   evaluation::RunJudgementOptions options;
+  options.progress = progress;
   options.resolution = setup.following.resolution;
   options.follow_distance = setup.following.follow_distance;
   options.ceiling = setup.robot.ceilings.prismatic;

@@ -12,9 +12,11 @@ namespace limpet::app {
 
 /// Judges a run by the mesh that it took place over. `model` is that of the run, finished. `with_tour`:
 /// compare a point robot's with an offline tour, too, which takes longer than all the rest. An arm's is
-/// judged by what an arm could feel. Precondition: the true surface is known (BuiltWorld::truth).
+/// judged by what an arm could feel, which may take tens of seconds: `progress` is told of each search.
+/// Precondition: the true surface is known (BuiltWorld::truth).
 evaluation::RunJudgement judge_by_truth(const FollowSetup&, const FollowOutcome&, const model::Model& model,
-                                        bool with_tour = false);
+                                        bool with_tour = false,
+                                        const evaluation::SearchProgress& progress = {});
 
 /// How near the links of a robot that has some truly came to the surface and to each other; none: it has
 /// none, or the truth is not known.

@@ -109,13 +109,10 @@ kinematics::Robot point_robot_of(const SceneFile& scene, const following::Parame
 /// the joints move it in the posture of the start; of each coordinate.
 double noise_by_turns(const simulation::SensingErrors& errors, const kinematics::Posture& start) {
   double squares = 0;
-  Eigen::Index k = 0;
   const Eigen::Matrix3Xd jacobian = start.jacobian();
-  for (const kinematics::Link& link : start.robot().links) {
-    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
-    if (link.joint.kind == kinematics::Joint::Kind::revolute) squares += jacobian.col(k).squaredNorm();
-    ++k;
-  }
+  kinematics::for_each_moving_joint(start.robot(), [&](Eigen::Index k, const kinematics::Joint& joint) {
+    if (joint.kind == kinematics::Joint::Kind::revolute) squares += jacobian.col(k).squaredNorm();
+  });
   return errors.encoder_noise_rad * std::sqrt(squares / 3);
 }
 

@@ -50,6 +50,7 @@ std::string to_json(const FollowSummary& s) {
     json["coverage"] = s.truth->coverage;
     json["coverage_total"] = s.truth->coverage_total;
     json["reachable"] = s.truth->reachable_share;
+    json["doubtful"] = s.truth->doubtful_share;
     json["collisions"] = s.truth->collisions + (s.links ? s.links->collisions + s.links->self_collisions : 0);
     json["clearance_control_point"] = s.truth->clearance_control_point;
     json["clearance_links"] = s.links ? s.links->to_surface : s.truth->clearance_control_point;

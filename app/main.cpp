@@ -345,8 +345,16 @@ void add_draw(CLI::App& root, Command& chosen) {
   app.add_option("MODEL", args->models,
                  "Native model files, .limpet; also recorded runs of limpet follow, meshes and shapes")
       ->required();
-  app.add_option("--stages", args->stages, "Stages to draw of a recorded run, with its path (default 4)")
-      ->check(CLI::Range(1, 64));
+  auto* stages = app.add_option("--stages", args->stages.count,
+                                "Stages to draw of a recorded run, with its path (default 4)")
+                     ->check(CLI::Range(1, 64));
+  app.add_option("--at", args->stages.at, "Instead of stages, draw a recorded run after its Nth set")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40))
+      ->excludes(stages);
+  app.add_flag_callback(
+      "--no-robot", [args] { args->stages.with_robot = false; },
+      "Of an arm's run: leave out the arm, its rays and its switches");
   app.add_option("-o,--output", args->picture, "Where to write the picture: .png or .svg")->required();
   app.add_option("--width", args->width, "Of the sheet, in pixels (default 1600)")
       ->check(CLI::Range(200, 16384));

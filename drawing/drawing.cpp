@@ -162,6 +162,22 @@ class Layout {
     return top + height + 30 * unit_;
   }
 
+  /// Of what there is to see of robots.
+  template <class Entry>
+  void legend_of_robots(const Entry& entry) {
+    const auto is_drawn = [&](auto RobotFigure::*part) {
+      return std::any_of(scenes_.begin(), scenes_.end(),
+                         [&](const Scene& s) { return s.robot && !((*s.robot).*part).empty(); });
+    };
+    const double line = 26 * unit_;
+    if (is_drawn(&RobotFigure::body) || is_drawn(&RobotFigure::bones))
+      entry("robot", 10 * unit_, 10 * unit_, kRobot);
+    if (is_drawn(&RobotFigure::rays)) entry("reading", line, 1.4 * unit_, kRay);
+    if (is_drawn(&RobotFigure::misses)) entry("sensor that met nothing", line, 1 * unit_, kMiss);
+    if (is_drawn(&RobotFigure::fields)) entry("switch that sees something", line, 3.2 * unit_, kSeeing);
+    if (is_drawn(&RobotFigure::quiet)) entry("switch that does not", 0, 4.4 * unit_, kMiss);
+  }
+
   double legend(double top) {
     const double size = 9.5 * unit_;
     double left = margin_, middle = top + size / 2;
@@ -191,6 +207,7 @@ class Layout {
       entry("path where it begins", line, 1.8 * unit_, kWayBegins);
       entry("path where it ends; a dot for each set", line, 1.8 * unit_, kWayEnds);
     }
+    legend_of_robots(entry);
     entry("back side", 10 * unit_, 10 * unit_, kBackSide);
     const std::string per_segment = "a colour per segment";
     make_room(54 * unit_ + text_width(per_segment, size));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limpet/drawing/robot_figure.hpp>
 #include <limpet/model/open_edges.hpp>
 #include <limpet/model/record.hpp>
 #include <optional>
@@ -17,6 +18,7 @@ struct Figure {
   std::vector<model::OpenEdge> open_edges = {};  ///< why they are open, where that is known
   /// A way past the model, world; where faces hide it, it is not seen. A dot at each place.
   std::vector<Eigen::Vector3d> way = {};
+  std::optional<RobotFigure> robot = {};  ///< as solids, lit; its rays and switches where nothing hides them
 };
 
 /// A parallel projection.
@@ -50,7 +52,8 @@ View view_from(const Eigen::Vector3d& from, const std::optional<Eigen::Vector3d>
 /// side, or several side by side (four in a row) with their views below each other. Faces in a colour per
 /// segment, shaded, their back sides grey; shared edges dark, open edges in a colour for each thing that
 /// refused them a neighbour, orange where that is not known or there is none; ways blue where they begin and
-/// red where they end, over faces that are paler then. The same models give the same bytes. Errors:
+/// red where they end, over faces that are paler then; robots dark, their rays green, pale where they met
+/// nothing, switches that see something amber. The same models give the same bytes. Errors:
 /// OutputError, also for another extension; std::invalid_argument for options out of bounds.
 void draw(const std::vector<Figure>& figures, const std::string& path, const DrawOptions& options);
 

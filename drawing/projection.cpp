@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limpet/drawing/open_edge_color.hpp>
 #include <limpet/drawing/projection.hpp>
+#include <limpet/drawing/robot_solids.hpp>
 #include <limpet/drawing/way.hpp>
 #include <limpet/io/text.hpp>
 #include <limpet/io/triangulate.hpp>
@@ -30,11 +31,10 @@ bool is_drawable(const io::LiftedPolygon& polygon) {
   return true;
 }
 
-/// Light from the upper left behind the viewer. Back sides are seen only where a surface is open: grey.
+/// Back sides are seen only where a surface is open: grey.
 io::Color shade(const io::Color& color, const Eigen::Vector3d& normal) {
-  static const Eigen::Vector3d light_from = Eigen::Vector3d(-0.40, -0.62, -0.68).normalized();
   const bool back = normal.z() > 0;
-  const double lambert = std::max(0.0, (back ? -normal : normal).dot(light_from));
+  const double lambert = std::max(0.0, (back ? -normal : normal).dot(light_from()));
   const double light = back ? 0.72 + 0.20 * lambert : 0.76 + 0.32 * lambert;
   io::Color shaded;
   for (int i = 0; i < 3; ++i) {
@@ -102,6 +102,14 @@ Scene make_scene(const Figure& figure, bool loose_points) {
     scene.box.extend(place);
   }
   scene.whole_way = scene.way.size();
+  if (figure.robot) {  // unless it is nowhere, as a damaged run may say
+    Eigen::AlignedBox3d box = scene.box;
+    extend(box, *figure.robot);
+    if (box.isEmpty() || (box.min().allFinite() && box.max().allFinite())) {
+      scene.robot = figure.robot;
+      scene.box = box;
+    }
+  }
   return scene;
 }
 
@@ -141,15 +149,13 @@ Eigen::Vector2d projected_size(const Eigen::AlignedBox3d& box, const View& view)
 
 void project(const Scene& scene, const View& view, const Eigen::AlignedBox3d& box, double scale,
              Panel& panel) {
-  const Eigen::Matrix3d axes = frame(view);
-  const Eigen::Vector3d middle = box.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(box.center());
-  const Eigen::Vector3d centre(panel.left + panel.width / 2, panel.top + panel.height / 2, 0);
-  const auto place = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
-    return centre + scale * (axes * (p - middle));
-  };
+  const Placing place{frame(view),
+                      box.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(box.center()),
+                      {panel.left + panel.width / 2, panel.top + panel.height / 2, 0},
+                      scale};
   for (const io::LiftedPolygon& polygon : scene.polygons) {
     Patch& patch = panel.patches.emplace_back();
-    patch.normal = axes * polygon.normal;
+    patch.normal = place.axes * polygon.normal;
     patch.fill = shade(io::segment_color(polygon.id), patch.normal);
     if (!scene.way.empty()) patch.fill = paler(patch.fill);
     patch.triangles = triangles_of(polygon);
@@ -169,6 +175,7 @@ void project(const Scene& scene, const View& view, const Eigen::AlignedBox3d& bo
     panel.loose.push_back(at);
   }
   choose_widths(panel);
+  if (scene.robot) add_robot(*scene.robot, place, panel);
   std::vector<Eigen::Vector3d> way;
   for (const Eigen::Vector3d& p : scene.way) way.push_back(place(p));
   add_way(way, scene.whole_way, panel);

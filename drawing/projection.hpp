@@ -16,7 +16,9 @@ struct Scene {
   std::vector<Eigen::Vector3d> loose;       ///< centres of the point segments
   std::vector<Eigen::Vector3d> way;
   std::size_t whole_way = 0;  ///< places of the way that `way` is the beginning of
-  Eigen::AlignedBox3d box;  ///< of the polygons and the way; of the loose points where there are no polygons
+  std::optional<RobotFigure> robot;
+  /// Of the polygons, the way and the robot's body; of the loose points where there are no polygons.
+  Eigen::AlignedBox3d box;
   std::unordered_map<std::uint64_t, model::Refusal> refusals;  ///< of open edges, by identity
 
   model::Refusal refusal_of(std::uint64_t edge) const {

@@ -131,6 +131,7 @@ void draw_edges(Band& band, const Panel& panel, bool open) {
   // steep faces. Open edges come forward a little more, to win where they touch shared ones.
   const double width = open ? panel.open_width : panel.shared_width, nearer = 1 + width + (open ? 0.5 : 0);
   for (const Patch& patch : panel.patches) {
+    if (patch.round) continue;
     for (const Outline& outline : patch.outlines) {
       for (std::size_t i = 0; i < outline.points.size(); ++i) {
         if (outline.open(i) != open) continue;
@@ -144,6 +145,7 @@ void draw_edges(Band& band, const Panel& panel, bool open) {
 void draw_dots(Band& band, const Panel& panel) {
   if (panel.vertex_radius > 0) {
     for (const Patch& patch : panel.patches) {
+      if (patch.round) continue;
       for (const Outline& outline : patch.outlines) {
         for (const Eigen::Vector3d& p : outline.points) {
           band.line(p, p, 2 * panel.vertex_radius, 2 + 2 * panel.vertex_radius, kInk);
@@ -154,8 +156,8 @@ void draw_dots(Band& band, const Panel& panel) {
   for (const Eigen::Vector3d& p : panel.loose) band.line(p, p, 2 * panel.loose_radius, 1, kLoosePoint);
 }
 
-void draw_way(Band& band, const Panel& panel) {
-  for (const WayPiece& piece : panel.way) band.line(piece.from, piece.to, piece.width, 1, piece.color);
+void draw_lines(Band& band, const Panel& panel) {
+  for (const LinePiece& piece : panel.lines) band.line(piece.from, piece.to, piece.width, 1, piece.color);
 }
 
 void paint_panel(const Panel& panel, Image& image) {
@@ -169,7 +171,7 @@ void paint_panel(const Panel& panel, Image& image) {
     draw_edges(band, panel, false);
     draw_edges(band, panel, true);
     draw_dots(band, panel);
-    draw_way(band, panel);
+    draw_lines(band, panel);
     band.resolve(image);
   }
 }

@@ -15,6 +15,8 @@ constexpr io::Color kPaper = {255, 255, 255}, kInk = {38, 42, 50}, kPale = {120,
 constexpr io::Color kSharedEdge = {38, 42, 50}, kLoosePoint = {64, 90, 160};
 constexpr io::Color kBackSide = {168, 170, 174};
 constexpr io::Color kWayBegins = {40, 130, 200}, kWayEnds = {176, 0, 84};
+constexpr io::Color kRobot = {104, 118, 138}, kRay = {10, 143, 106}, kMiss = {179, 186, 196},
+                    kSeeing = {224, 164, 0};
 
 /// One boundary cycle of a face: point i, and the colour of the edge from it to the next.
 struct Outline {
@@ -29,10 +31,11 @@ struct Patch {
   std::vector<io::Triangle> triangles;  ///< over the concatenated outlines
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   io::Color fill{};
+  bool round = false;  ///< a facet of something round: without lines on its rim or dots at its corners
 };
 
-/// A short straight part of a way, with round ends; a dot where both ends are one.
-struct WayPiece {
+/// A short straight part of a way or of a ray, with round ends; a dot where both ends are one.
+struct LinePiece {
   Eigen::Vector3d from, to;
   double width = 1;
   io::Color color{};
@@ -43,7 +46,7 @@ struct Panel {
   double left = 0, top = 0, width = 0, height = 0;
   std::vector<Patch> patches;
   std::vector<Eigen::Vector3d> loose;
-  std::vector<WayPiece> way;
+  std::vector<LinePiece> lines;
   double shared_width = 1.6, open_width = 2.6, vertex_radius = 2.4, loose_radius = 1.6, way_width = 1.2;
 };
 

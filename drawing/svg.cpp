@@ -102,7 +102,12 @@ void append_patch(std::string& text, const Panel& panel, const Patch& patch) {
     }
     path += 'Z';
   }
-  text += "<path d=\"" + path + "\" fill=\"" + hex(patch.fill) + "\" fill-rule=\"evenodd\"/>\n";
+  text += "<path d=\"" + path + "\" fill=\"" + hex(patch.fill) + "\" fill-rule=\"evenodd\"";
+  if (patch.round) {  // what is behind would shine through between facets
+    text += " stroke=\"" + hex(patch.fill) + "\" stroke-width=\"0.6\"/>\n";
+    return;
+  }
+  text += "/>\n";
   append_edges(text, patch, panel);
   if (panel.vertex_radius <= 0) return;
   for (const Outline& outline : patch.outlines) {
@@ -110,15 +115,15 @@ void append_patch(std::string& text, const Panel& panel, const Patch& patch) {
   }
 }
 
-/// What faces do not hide of a way: a path for what follows each other in one colour and width.
-void append_way(std::string& text, const Panel& panel) {
+/// What faces do not hide of lines: a path for what follows each other in one colour and width.
+void append_lines(std::string& text, const Panel& panel) {
   const Hiding hiding(panel);
-  const WayPiece* before = nullptr;
+  const LinePiece* before = nullptr;
   const auto finish = [&] {
     if (before)
       text += "\" stroke=\"" + hex(before->color) + "\" stroke-width=\"" + number(before->width) + "\"/>\n";
   };
-  for (const WayPiece& piece : panel.way) {
+  for (const LinePiece& piece : panel.lines) {
     if (hiding.hides((piece.from + piece.to) / 2)) continue;
     const bool same = before && before->color == piece.color && before->width == piece.width;
     if (!same) {
@@ -140,7 +145,7 @@ void append_panel(std::string& text, const Panel& panel, std::size_t index) {
   for (const int i : depth_order(panel.patches)) append_patch(text, panel, panel.patches[i]);
   for (const Eigen::Vector3d& p : panel.loose)
     append_dot(text, p.x(), p.y(), panel.loose_radius, kLoosePoint);
-  append_way(text, panel);
+  append_lines(text, panel);
   text += "</g>\n";
 }
 

@@ -36,19 +36,21 @@ bool covers(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vecto
 
 }  // namespace
 
+void add_line(const Vector3d& from, const Vector3d& to, double width, const io::Color& color, Panel& panel) {
+  const Vector3d step = to - from;
+  const double pieces = std::ceil(std::max(1.0, step.head<2>().norm() / kLongestPiece));
+  for (double k = 0; k < pieces; ++k)
+    panel.lines.push_back({from + k / pieces * step, from + (k + 1) / pieces * step, width, color});
+}
+
 void add_way(const std::vector<Vector3d>& places, std::size_t whole, Panel& panel) {
   const double last = std::max(1.0, static_cast<double>(std::max(whole, places.size())) - 1);
   const auto color = [&](std::size_t i) { return color_at(static_cast<double>(i) / last); };
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const Vector3d step = places[i + 1] - places[i];
-    const double pieces = std::ceil(std::max(1.0, step.head<2>().norm() / kLongestPiece));
-    for (double k = 0; k < pieces; ++k)
-      panel.way.push_back(
-          {places[i] + k / pieces * step, places[i] + (k + 1) / pieces * step, panel.way_width, color(i)});
-  }
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+    add_line(places[i], places[i + 1], panel.way_width, color(i), panel);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool is_end = i == 0 || i + 1 == places.size();
-    panel.way.push_back({places[i], places[i], (is_end ? 4 : 1.8) * panel.way_width, color(i)});
+    panel.lines.push_back({places[i], places[i], (is_end ? 4 : 1.8) * panel.way_width, color(i)});
   }
 }
 

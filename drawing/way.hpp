@@ -7,6 +7,11 @@
 
 namespace limpet::drawing {
 
+/// A straight line between two places (pixels of the panel, with depth), as short pieces; a dot where both
+/// are one.
+void add_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double width, const io::Color& color,
+              Panel& panel);
+
 /// A way through these places (pixels of the panel, with depth), as short pieces and a dot at each place,
 /// with a larger one where it begins and where it ends. It changes its colour as it goes on, from kWayBegins
 /// to kWayEnds at the last of `whole` places, of which these may be the first ones.

@@ -78,7 +78,8 @@ ArmReach::~ArmReach() = default;
 
 const ArmRoadmap& ArmReach::roadmap() const { return inside_->planner.roadmap(); }
 
-ArmReachability ArmReach::of(std::vector<SurfaceSample> samples, double spacing, std::vector<char> asked) {
+ArmReachability ArmReach::of(std::vector<SurfaceSample> samples, double spacing, std::vector<char> asked,
+                             const SearchProgress& progress) {
   ArmReachability result;
   Reachability& found = result.reachability;
   found.samples = std::move(samples);
@@ -93,7 +94,7 @@ ArmReachability ArmReach::of(std::vector<SurfaceSample> samples, double spacing,
   ArmSearch search(inside_->space, inside_->planner, found.samples, spacing,
                    {inside_->options.least_cosine, kPrecision * inside_->options.resolution},
                    inside_->random);
-  search.look_for(asked);
+  search.look_for(asked, progress);
   for (std::size_t i = 0; i < found.samples.size(); ++i) {
     const auto sighting = search.sighting(i);
     found.verdicts.push_back(sighting ? Verdict::yes : ruled_out[i] != 0 ? Verdict::no : Verdict::doubtful);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limpet/evaluation/arm_roadmap.hpp>
 #include <limpet/evaluation/reachable.hpp>
 #include <limpet/evaluation/true_surface.hpp>
@@ -47,6 +48,9 @@ struct ArmReachability {
   std::vector<Sighting> sightings;  ///< of each sample; of one that is not reachable it says nothing
 };
 
+/// Told, often, how far a search is: `done` of `whole` looks for samples are over. The first ones take least.
+using SearchProgress = std::function<void(std::int64_t done, std::int64_t whole)>;
+
 /// Finds what an arm can feel. A sample of the surface is
 ///   - reachable (Verdict::yes) when a configuration is found that the arm gets to from its start over clear
 ///     configurations, and in which any of its sensors sees the sample: along its axis, within its range,
@@ -72,7 +76,8 @@ class ArmReach {
 
   /// What is reachable of some samples of the mesh, `spacing` apart. Samples that are not `asked` for, if it
   /// says which are, are doubtful unless they are ruled out.
-  ArmReachability of(std::vector<SurfaceSample> samples, double spacing, std::vector<char> asked = {});
+  ArmReachability of(std::vector<SurfaceSample> samples, double spacing, std::vector<char> asked = {},
+                     const SearchProgress& progress = {});
 
   /// With the ways from the start.
   const ArmRoadmap& roadmap() const;

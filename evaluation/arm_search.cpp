@@ -39,10 +39,15 @@ std::optional<ArmSearch::Sighting> ArmSearch::sighting(std::size_t sample) const
   return std::nullopt;
 }
 
-void ArmSearch::look_for(const std::vector<char>& wanted) {
+void ArmSearch::look_for(const std::vector<char>& wanted, const SearchProgress& progress) {
+  const std::int64_t whole =
+      kRounds * std::count_if(wanted.begin(), wanted.end(), [](char w) { return w != 0; });
+  std::int64_t done = 0;
   for (int round = 0; round < kRounds; ++round)
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      if (wanted[i] == 0 || sighting(i)) continue;
+      if (wanted[i] == 0) continue;
+      if (progress) progress(done++, whole);
+      if (sighting(i)) continue;
       take_hints();
       look_by_hints(i);
       if (round > 0 && !sighting(i)) look_from_near(i, kNear);

@@ -21,7 +21,7 @@ class ArmSearch {
 
   /// Looks for all samples that are `wanted`, several times, with more effort each time: what was found for
   /// one helps with those beside it.
-  void look_for(const std::vector<char>& wanted);
+  void look_for(const std::vector<char>& wanted, const SearchProgress& progress);
 
   /// How a sample is seen from a node that is reached; none: none was found.
   std::optional<Sighting> sighting(std::size_t sample) const;

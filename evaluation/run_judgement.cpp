@@ -75,7 +75,9 @@ FalseUnreachable contradicted(const simulation::Mesh& truth, const FollowingRun&
   near.verdicts.resize(near.samples.size(), Verdict::doubtful);
   near.faces.resize(static_cast<std::size_t>(truth.face_count));
   const Coverage covered = coverage_of(model, near, resolution);
-  near = reach.of(std::move(near.samples), spacing, to_ask_for(covered.covered, 2 * options.arm_samples))
+  near = reach
+             .of(std::move(near.samples), spacing, to_ask_for(covered.covered, 2 * options.arm_samples),
+                 options.progress)
              .reachability;
   return false_unreachable(run.marks, near, covered, resolution);
 }
@@ -85,7 +87,7 @@ void judge_arm(const simulation::Mesh& truth, const TrueSurface& surface, const 
   const std::vector<PlanarFace> model = planar_faces(run.model);
   ArmReach reach(truth, surface, *options.arm, search_of(options));
   auto [samples, spacing] = about(options.arm_samples, truth);
-  result.reachability = reach.of(std::move(samples), spacing).reachability;
+  result.reachability = reach.of(std::move(samples), spacing, {}, options.progress).reachability;
   result.covered = coverage_of(model, result.reachability, options.resolution);
   result.marks = contradicted(truth, run, model, options, reach);
 }

@@ -38,6 +38,7 @@ struct RunJudgementOptions {
   /// do not count then, of `sensing` only the largest incidence, and there is no tour.
   std::optional<PlacedArm> arm;
   std::size_t arm_samples = 1000;
+  SearchProgress progress = {};  ///< of each search for what the arm can feel; empty: nobody is told
 };
 
 /// A run, judged by the truth (thesis chapter 4 has no such figures; they are this project's).

@@ -54,11 +54,7 @@ bool are_joined(const Robot& robot, std::size_t link, std::size_t other) {
 }
 
 Configuration resting(const Robot& robot) {
-  Configuration at(static_cast<Eigen::Index>(robot.joint_count()));
-  Eigen::Index k = 0;
-  for (const Link& link : robot.links)
-    if (link.joint.kind != Joint::Kind::fixed) at[k++] = std::clamp(0.0, link.joint.low, link.joint.high);
-  return at;
+  return within_limits(robot, Configuration::Zero(static_cast<Eigen::Index>(robot.joint_count())));
 }
 
 }  // namespace

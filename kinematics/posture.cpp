@@ -73,20 +73,31 @@ Configuration actuator_changes(const Posture& posture, const Eigen::Vector3d& mo
   return limited(posture, jacobian.completeOrthogonalDecomposition().solve(motion));
 }
 
+LengthsByKind lengths_by_kind(const Robot& robot, const Eigen::VectorXd& changes) {
+  double prismatic2 = 0, revolute2 = 0;
+  for_each_moving_joint(robot, [&](Eigen::Index k, const Joint& joint) {
+    (joint.kind == Joint::Kind::prismatic ? prismatic2 : revolute2) += changes[k] * changes[k];
+  });
+  return {std::sqrt(prismatic2), std::sqrt(revolute2)};
+}
+
+Configuration within_limits(const Robot& robot, Configuration at) {
+  for_each_moving_joint(
+      robot, [&](Eigen::Index k, const Joint& joint) { at[k] = std::clamp(at[k], joint.low, joint.high); });
+  return at;
+}
+
 Configuration limited(const Posture& posture, const Configuration& changes) {
   const Robot& robot = posture.robot();
-  double prismatic2 = 0, revolute2 = 0, scale = 1;
-  Eigen::Index joint = 0;
-  for (const Link& link : robot.links) {
-    if (!moves(link)) continue;
-    const double change = changes[joint], at = posture.configuration()[joint];
-    ++joint;
-    (link.joint.kind == Joint::Kind::prismatic ? prismatic2 : revolute2) += change * change;
-    const double room = change > 0 ? link.joint.high - at : at - link.joint.low;
+  double scale = 1;
+  for_each_moving_joint(robot, [&](Eigen::Index k, const Joint& joint) {
+    const double change = changes[k], at = posture.configuration()[k];
+    const double room = change > 0 ? joint.high - at : at - joint.low;
     if (std::abs(change) > room) scale = std::min(scale, std::max(0.0, room) / std::abs(change));
-  }
-  if (prismatic2 > 0) scale = std::min(scale, robot.ceilings.prismatic / std::sqrt(prismatic2));
-  if (revolute2 > 0) scale = std::min(scale, robot.ceilings.revolute_rad / std::sqrt(revolute2));
+  });
+  const LengthsByKind length = lengths_by_kind(robot, changes);
+  if (length.prismatic > 0) scale = std::min(scale, robot.ceilings.prismatic / length.prismatic);
+  if (length.revolute_rad > 0) scale = std::min(scale, robot.ceilings.revolute_rad / length.revolute_rad);
   return scale * changes;
 }
 

@@ -63,6 +63,18 @@ class Posture {
 /// limited(). Empty for a robot without joints.
 Configuration actuator_changes(const Posture&, const Eigen::Vector3d& motion);
 
+/// Lengths of changes of the actuators, as the ceilings bound them.
+struct LengthsByKind {
+  double prismatic = 0, revolute_rad = 0;
+};
+
+/// The lengths of the vectors of all changes of prismatic joints, and of all those of revolute ones, one
+/// change for each joint that moves.
+LengthsByKind lengths_by_kind(const Robot&, const Eigen::VectorXd& changes);
+
+/// The nearest configuration that keeps the limits of all joints.
+Configuration within_limits(const Robot&, Configuration);
+
 /// The changes scaled down, all by the same factor, until both ceilings and the joints' limits are kept.
 Configuration limited(const Posture&, const Configuration& changes);
 

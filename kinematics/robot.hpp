@@ -67,6 +67,11 @@ struct ControlPoint {
 struct Ceilings {
   double prismatic = std::numeric_limits<double>::infinity();
   double revolute_rad = std::numeric_limits<double>::infinity();
+
+  /// That of the joint's kind. Precondition: the joint moves.
+  double of(const Joint& joint) const {
+    return joint.kind == Joint::Kind::prismatic ? prismatic : revolute_rad;
+  }
 };
 
 /// A robot: a tree of links, each after its parent, with the sensors and switches mounted on them. The joints
@@ -82,6 +87,15 @@ struct Robot {
   /// Number of joints that move.
   std::size_t joint_count() const;
 };
+
+/// Calls use(k, joint) with each joint that moves, and its number k, in their order. The joints of a robot
+/// that is not const may be changed.
+template <class AnyRobot, class Use>
+void for_each_moving_joint(AnyRobot& robot, Use use) {
+  Eigen::Index k = 0;
+  for (auto& link : robot.links)
+    if (link.joint.kind != Joint::Kind::fixed) use(k++, link.joint);
+}
 
 /// Throws std::invalid_argument, with one line that says what and where, when a link's parent does not come
 /// before it, a mounting is not rigid, an axis is no unit vector, a position is not finite, a range, ceiling

@@ -11,6 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 using kinematics::Configuration;
+using kinematics::Joint;
 using kinematics::Posture;
 using kinematics::Robot;
 
@@ -78,13 +79,10 @@ Sensing::Sensing(const World& world, const SensingErrors& errors)
 
 Configuration Sensing::measure(const Robot& robot, const Configuration& truth) {
   Configuration measured = truth;
-  Eigen::Index joint = 0;
-  for (const kinematics::Link& link : robot.links) {
-    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
-    const bool slides = link.joint.kind == kinematics::Joint::Kind::prismatic;
-    measured[joint++] +=
-        (slides ? errors_.encoder_noise : errors_.encoder_noise_rad) * encoder_luck_.normal();
-  }
+  kinematics::for_each_moving_joint(robot, [&](Eigen::Index k, const Joint& joint) {
+    const bool slides = joint.kind == Joint::Kind::prismatic;
+    measured[k] += (slides ? errors_.encoder_noise : errors_.encoder_noise_rad) * encoder_luck_.normal();
+  });
   return measured;
 }
 

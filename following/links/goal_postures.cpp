@@ -179,13 +179,10 @@ std::vector<Start> starts_of(const Look& look, const Robot& robot, const std::ve
 
 Configuration spread_over(const Robot& robot, const Eigen::VectorXd& unit) {
   Configuration at = unit;
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : robot.links) {
-    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
-    const double low = std::max(link.joint.low, -std::numbers::pi);
-    at[k] = low + unit[k] * (std::min(link.joint.high, std::numbers::pi) - low);
-    ++k;
-  }
+  kinematics::for_each_moving_joint(robot, [&](Eigen::Index k, const kinematics::Joint& joint) {
+    const double low = std::max(joint.low, -std::numbers::pi);
+    at[k] = low + unit[k] * (std::min(joint.high, std::numbers::pi) - low);
+  });
   return at;
 }
 

@@ -2,25 +2,11 @@
 #include <limpet/following/links/inverse_kinematics.hpp>
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 
 namespace limpet::following {
-namespace {
-
 using kinematics::Configuration;
 using kinematics::Posture;
 using kinematics::Robot;
-
-void clamp_to_limits(const Robot& robot, Configuration& at) {
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : robot.links)
-    if (link.joint.kind != kinematics::Joint::Kind::fixed) {
-      at[k] = std::clamp(at[k], link.joint.low, link.joint.high);
-      ++k;
-    }
-}
-
-}  // namespace
 
 std::optional<Configuration> led_to(const Robot& robot, Configuration from,
                                     const std::function<Task(const Posture&)>& task, double precision) {
@@ -33,8 +19,7 @@ std::optional<Configuration> led_to(const Robot& robot, Configuration from,
         jacobian * jacobian.transpose() + kDamping * jacobian.squaredNorm() * Eigen::Matrix3d::Identity();
     Configuration step = jacobian.transpose() * square.ldlt().solve(way);
     if (step.norm() > kLongest) step *= kLongest / step.norm();
-    from += step;
-    clamp_to_limits(robot, from);
+    from = kinematics::within_limits(robot, from + step);
   }
   return std::nullopt;
 }

@@ -12,13 +12,9 @@ void JointWatch::told(const kinematics::Robot& robot, const Configuration& chang
   constexpr double kFarEnough = 0.1;  // of the ceiling
   told_ = changes;
   matters_.clear();
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : robot.links) {
-    if (link.joint.kind == Joint::Kind::fixed) continue;
-    const double ceiling =
-        link.joint.kind == Joint::Kind::prismatic ? robot.ceilings.prismatic : robot.ceilings.revolute_rad;
-    matters_.push_back(std::abs(changes[k++]) > kFarEnough * ceiling);
-  }
+  kinematics::for_each_moving_joint(robot, [&](Eigen::Index k, const Joint& joint) {
+    matters_.push_back(std::abs(changes[k]) > kFarEnough * robot.ceilings.of(joint));
+  });
 }
 
 bool JointWatch::look(const Configuration& now) {

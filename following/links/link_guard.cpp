@@ -1,8 +1,6 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <limpet/following/links/link_guard.hpp>
 
-#include <cmath>
-
 namespace limpet::following {
 
 using kinematics::Configuration;
@@ -17,13 +15,8 @@ GuardedPart control_part(const kinematics::Robot& robot, double least) {
 }
 
 bool is_within_limits(const Posture& posture) {
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : posture.robot().links) {
-    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
-    const double at = posture.configuration()[k++];
-    if (at < link.joint.low || at > link.joint.high) return false;
-  }
-  return true;
+  const Configuration& at = posture.configuration();
+  return at == kinematics::within_limits(posture.robot(), at);
 }
 
 }  // namespace

@@ -65,16 +65,11 @@ void LinkMotion::look(const Observation& seen) {
 void LinkMotion::hold_stuck_joints(const Configuration& here) {
   constexpr double kPlay = 1e-3;  // of the ceiling's kind: radians or lengths
   const std::vector<std::size_t> stuck = watch_.stuck();
-  std::size_t k = 0;
-  for (kinematics::Link& link : robot_.links) {
-    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
-    if (std::binary_search(stuck.begin(), stuck.end(), k)) {
-      const double at = here[static_cast<Eigen::Index>(k)];
-      link.joint.low = std::max(link.joint.low, at - kPlay);
-      link.joint.high = std::min(link.joint.high, at + kPlay);
-    }
-    ++k;
-  }
+  kinematics::for_each_moving_joint(robot_, [&](Eigen::Index k, kinematics::Joint& joint) {
+    if (!std::binary_search(stuck.begin(), stuck.end(), static_cast<std::size_t>(k))) return;
+    joint.low = std::max(joint.low, here[k] - kPlay);
+    joint.high = std::min(joint.high, here[k] + kPlay);
+  });
 }
 
 Configuration LinkMotion::changes(const Vector3d& motion) {

@@ -2,25 +2,16 @@
 #include <limpet/following/links/roadmap.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace limpet::following {
 
 using kinematics::Configuration;
-using kinematics::Joint;
 using kinematics::Posture;
 
 double Roadmap::steps(const Configuration& a, const Configuration& b) const {
-  double prismatic2 = 0, revolute2 = 0;
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : guard_.robot().links) {
-    if (link.joint.kind == Joint::Kind::fixed) continue;
-    const double change = a[k] - b[k];
-    ++k;
-    (link.joint.kind == Joint::Kind::prismatic ? prismatic2 : revolute2) += change * change;
-  }
+  const kinematics::LengthsByKind apart = kinematics::lengths_by_kind(guard_.robot(), a - b);
   const kinematics::Ceilings& ceilings = guard_.robot().ceilings;
-  return std::max(std::sqrt(prismatic2) / ceilings.prismatic, std::sqrt(revolute2) / ceilings.revolute_rad);
+  return std::max(apart.prismatic / ceilings.prismatic, apart.revolute_rad / ceilings.revolute_rad);
 }
 
 std::vector<std::size_t> Roadmap::nearest(const Configuration& at, std::size_t most) const {

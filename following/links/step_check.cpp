@@ -20,12 +20,9 @@ double motion_bound(const kinematics::BodyPart& part, const Posture& posture, co
   const Eigen::VectorXd reach = kinematics::reach_of_joints(part, posture), by = changes.cwiseAbs();
   const double first = reach.dot(by);
   double revolute = 0;
-  Eigen::Index joint = 0;
-  for (const kinematics::Link& link : posture.robot().links) {
-    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
-    if (link.joint.kind == kinematics::Joint::Kind::revolute && reach[joint] > 0) revolute += by[joint];
-    ++joint;
-  }
+  kinematics::for_each_moving_joint(posture.robot(), [&](Eigen::Index k, const kinematics::Joint& joint) {
+    if (joint.kind == kinematics::Joint::Kind::revolute && reach[k] > 0) revolute += by[k];
+  });
   return first + 2 * revolute * first;
 }
 

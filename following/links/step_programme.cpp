@@ -61,17 +61,11 @@ void StepProgramme::aim(const Posture& posture, const Vector3d& motion, const Ei
 void StepProgramme::bound(const Posture& posture) {
   const kinematics::Robot& robot = posture.robot();
   problem_.low = problem_.high = Eigen::VectorXd::Zero(posture.configuration().size());
-  Eigen::Index k = 0;
-  for (const kinematics::Link& link : robot.links) {
-    if (link.joint.kind == kinematics::Joint::Kind::fixed) continue;
-    const double ceiling = link.joint.kind == kinematics::Joint::Kind::prismatic
-                               ? robot.ceilings.prismatic
-                               : robot.ceilings.revolute_rad;
-    const double at = posture.configuration()[k];
-    problem_.low[k] = std::max(-ceiling, std::min(0.0, kDamping * (link.joint.low - at)));
-    problem_.high[k] = std::min(ceiling, std::max(0.0, kDamping * (link.joint.high - at)));
-    ++k;
-  }
+  kinematics::for_each_moving_joint(robot, [&](Eigen::Index k, const kinematics::Joint& joint) {
+    const double ceiling = robot.ceilings.of(joint), at = posture.configuration()[k];
+    problem_.low[k] = std::max(-ceiling, std::min(0.0, kDamping * (joint.low - at)));
+    problem_.high[k] = std::min(ceiling, std::max(0.0, kDamping * (joint.high - at)));
+  });
 }
 
 void StepProgramme::keep_off(const Posture& posture) {

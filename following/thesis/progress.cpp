@@ -1,12 +1,9 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 #include <algorithm>
-#include <cmath>
 
 #include "progress_internal.hpp"
 
 namespace limpet::following::internal {
-
-using kinematics::Joint;
 
 void Progress::restart(double way) {
   constexpr double kPatience = 10;
@@ -34,16 +31,9 @@ void Progress::step(const kinematics::Posture& posture) {
 
 bool Progress::is_near(const kinematics::Robot& robot, const Configuration& a, const Configuration& b,
                        double ceilings) const {
-  double prismatic2 = 0, revolute2 = 0;
-  Eigen::Index joint = 0;
-  for (const kinematics::Link& link : robot.links) {
-    if (link.joint.kind == Joint::Kind::fixed) continue;
-    const double change = a[joint] - b[joint];
-    ++joint;
-    (link.joint.kind == Joint::Kind::prismatic ? prismatic2 : revolute2) += change * change;
-  }
-  return std::sqrt(prismatic2) < ceilings * std::min(robot.ceilings.prismatic, longest_step_) &&
-         std::sqrt(revolute2) < ceilings * std::min(robot.ceilings.revolute_rad, angle_rad_);
+  const kinematics::LengthsByKind apart = kinematics::lengths_by_kind(robot, a - b);
+  return apart.prismatic < ceilings * std::min(robot.ceilings.prismatic, longest_step_) &&
+         apart.revolute_rad < ceilings * std::min(robot.ceilings.revolute_rad, angle_rad_);
 }
 
 bool Progress::circles(const kinematics::Robot& robot) const {

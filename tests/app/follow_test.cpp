@@ -34,6 +34,22 @@ TEST_F(Follow, AnArmModelsACubeAndTouchesNothing) {
   EXPECT_EQ(read(path("again.limpet")), model);
 }
 
+/// Of the underside of a cube on the ground: that a search finds no posture proves nothing.
+TEST_F(Follow, WhatCannotBeToldIsNotCountedAsOutOfReach) {
+  const auto shares = [&](const std::string& scene) {
+    const auto result = follow({scene, "--max-sets", "30", "--json", "-"});
+    EXPECT_LE(result.code, 1) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    return std::pair(json["reachable"].get<double>(), json["doubtful"].get<double>());
+  };
+  EXPECT_EQ(shares("cube"), std::pair(1.0, 0.0));
+  const std::string scene = "[world]\nshape = \"cube\"\n[robot]\nkind = \"arm\"\nobject = \"on_ground\"\n";
+  const auto [reachable, doubtful] = shares(write("ground.toml", scene));
+  EXPECT_GT(doubtful, 0.05);
+  EXPECT_GT(reachable, 0.5);
+  EXPECT_NEAR(reachable + doubtful, 1, 1e-9) << "none is out of reach by the links' lengths";
+}
+
 /// A run with proximity switches on the links ends, however, and is the same each time.
 TEST_F(Follow, AnArmWithSwitchesEndsAndDoesTheSameAgain) {
   for (const std::string scene : {"cube", "octahedron"})

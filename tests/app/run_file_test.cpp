@@ -435,35 +435,5 @@ TEST_F(RunFile, ReplayTakesNothingThatTheRunSays) {
   expect_refused(replay(path("m.limpet")), "no recorded run");
 }
 
-TEST_F(RunFile, IsDrawnAsStages) {
-  const std::string file = record("octahedron", 10'000);
-  const auto svg = [&](const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"draw", file, "-q", "-o", path("p.svg")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const auto result = run(arguments);
-    EXPECT_EQ(result.code, 0) << result.err;
-    return read(path("p.svg"));
-  };
-  const auto sets = nlohmann::json::parse(read(path("m.json")))["sets"].get<int>();
-  const std::string four = svg({});
-  for (int i = 1; i <= 3; ++i)
-    EXPECT_NE(four.find(">" + std::to_string(sets * i / 4) + " sets</text>"), std::string::npos) << i;
-  EXPECT_NE(four.find(">r: complete, " + std::to_string(sets) + " sets</text>"), std::string::npos);
-  EXPECT_NE(four.find("path where it ends"), std::string::npos);
-  const std::string one = svg({"--stages", "1"});
-  EXPECT_EQ(one.find(" sets</text>"), one.rfind(" sets</text>"));
-  EXPECT_EQ(run({"draw", file, "-q", "-o", path("p.png")}).code, 0);
-  EXPECT_EQ(read(path("p.png")).substr(1, 3), "PNG");
-}
-
-TEST_F(RunFile, DrawingADamagedRunIsRefused) {
-  const std::string text = read(record("cube", 3));
-  expect_refused(run({"draw", write("d.run", text.substr(0, 300)), "-o", path("p.png")}), "d.run: line ");
-  const auto result =
-      run({"draw", write("short.run", text.substr(0, text.size() - 20)), "-o", path("p.png")});
-  EXPECT_EQ(result.code, 0);
-  EXPECT_NE(result.err.find("cut short"), std::string::npos) << result.err;
-}
-
 }  // namespace
 }  // namespace limpet::app

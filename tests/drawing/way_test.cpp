@@ -49,11 +49,11 @@ TEST_F(WayTest, HidingAgreesWithTheDepthBuffer) {
       Panel& panel = sheet.panels[0];
       panel.shared_width = panel.open_width = 0.01;
       panel.vertex_radius = 0;
-      for (WayPiece& piece : panel.way) piece.color = {255, 0, 0}, piece.width = 3;
+      for (LinePiece& piece : panel.lines) piece.color = {255, 0, 0}, piece.width = 3;
       const Image image = paint(sheet);
       const Hiding hiding(panel);
       int hidden = 0, seen = 0, wrong = 0;
-      for (const WayPiece& piece : panel.way) {
+      for (const LinePiece& piece : panel.lines) {
         const Vector3d middle = (piece.from + piece.to) / 2;
         const bool hides = hiding.hides(middle);
         ++(hides ? hidden : seen);
@@ -71,7 +71,7 @@ TEST_F(WayTest, HidingAgreesWithTheDepthBuffer) {
 TEST_F(WayTest, BeginsInOneColourAndEndsInAnother) {
   const auto way = around(0.3);
   const Sheet sheet = sheet_of({cube(), "", {}, way}, {-Vector3d::UnitZ(), Vector3d::UnitY(), ""});
-  const auto& pieces = sheet.panels[0].way;
+  const auto& pieces = sheet.panels[0].lines;
   ASSERT_GT(pieces.size(), way.size());
   EXPECT_EQ(pieces.front().color, kWayBegins);
   EXPECT_EQ(pieces.back().color, kWayEnds);

@@ -172,6 +172,27 @@ TEST(ArmReach, LooksOnlyForWhatIsAskedFor) {
     EXPECT_EQ(verdict, Verdict::doubtful);
 }
 
+/// It counts from 0 to the whole, which goes with what is asked for, and changes nothing.
+TEST(ArmReach, TellsHowFarItIs) {
+  ArmWorld told(plate_and_cube(), testing::thesis_arm_at({-3, -1, 0}));
+  ArmWorld silent(plate_and_cube(), testing::thesis_arm_at({-3, -1, 0}));
+  auto [samples, spacing] = about(40, told.mesh);
+  std::vector<char> asked(samples.size(), 0);
+  std::fill_n(asked.begin(), 10, char{1});
+  std::int64_t next = 0, last_whole = 0;
+  const auto progress = [&](std::int64_t done, std::int64_t whole) {
+    EXPECT_EQ(done, next++);
+    EXPECT_LT(done, whole);
+    EXPECT_TRUE(last_whole == 0 || whole == last_whole);
+    last_whole = whole;
+  };
+  const ArmReachability found = told.reach->of(samples, spacing, asked, progress);
+  EXPECT_EQ(next, last_whole);
+  EXPECT_EQ(last_whole % 10, 0);
+  EXPECT_GT(last_whole, 0);
+  EXPECT_EQ(found.reachability.verdicts, silent.reach->of(samples, spacing, asked).reachability.verdicts);
+}
+
 TEST(ArmReach, RefusesWhatIsOutOfRange) {
   const simulation::Mesh mesh = testing::cube();
   const TrueSurface truth(mesh);

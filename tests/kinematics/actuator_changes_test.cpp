@@ -120,6 +120,37 @@ TEST(ActuatorChanges, NeverLeadBeyondALimit) {
   }
 }
 
+TEST(LengthsByKind, AreOfTheChangesOfEachKindAlone) {
+  Robot robot;
+  robot.links.resize(5);
+  robot.links[0].joint.kind = robot.links[2].joint.kind = Joint::Kind::prismatic;
+  robot.links[3].joint.kind = robot.links[4].joint.kind = Joint::Kind::revolute;
+  const LengthsByKind lengths = lengths_by_kind(robot, Eigen::Vector4d(3, -4, 5, 12));
+  EXPECT_EQ(lengths.prismatic, 5);
+  EXPECT_EQ(lengths.revolute_rad, 13);
+  EXPECT_EQ(lengths_by_kind(testing::planar_arm(2), Eigen::Vector2d(3, 4)).prismatic, 0);
+}
+
+TEST(LengthsByKind, AreTogetherTheLengthOfAllChanges) {
+  survey::Random random(10);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Robot robot = testing::random_robot(random, 1 + random.below(9));
+    const Configuration changes = testing::random_configuration(random, robot);
+    const LengthsByKind lengths = lengths_by_kind(robot, changes);
+    EXPECT_NEAR(std::hypot(lengths.prismatic, lengths.revolute_rad), changes.norm(), 1e-12);
+    EXPECT_NEAR(lengths.prismatic, length_of(robot, changes, Joint::Kind::prismatic), 1e-12);
+  }
+}
+
+TEST(WithinLimits, IsTheNearestThatKeepsThem) {
+  Robot arm = testing::planar_arm(3);
+  arm.links[0].joint.kind = Joint::Kind::fixed;
+  arm.links[1].joint.low = -0.5;
+  arm.links[2].joint.high = 0.5;
+  EXPECT_EQ(within_limits(arm, Eigen::Vector2d(-1, 1)), Eigen::Vector2d(-0.5, 0.5));
+  EXPECT_EQ(within_limits(arm, Eigen::Vector2d(1, -1)), Eigen::Vector2d(1, -1));
+}
+
 TEST(ActuatorChanges, LeadBackFromBeyondALimitButNotOn) {
   Robot arm = testing::planar_arm(2);
   arm.links[0].joint.high = 0.5;

@@ -96,6 +96,51 @@ TEST(Posture, KnowsWhereASwitchAndItsFieldAre) {
   }
 }
 
+/// A slider on a turntable on a post, with a plate between them.
+Robot slider_on_a_turntable() {
+  Robot robot;
+  robot.links.resize(4);
+  robot.links[1].joint.kind = Joint::Kind::revolute;
+  robot.links[3].joint.kind = Joint::Kind::prismatic;
+  for (std::size_t i = 1; i < 4; ++i) robot.links[i].parent = i - 1;
+  robot.ceilings = {0.25, 0.5};
+  return robot;
+}
+
+TEST(ForEachMovingJoint, NumbersThoseThatMoveInOrder) {
+  const Robot robot = slider_on_a_turntable();
+  std::vector<Eigen::Index> numbers;
+  std::vector<const Joint*> joints;
+  for_each_moving_joint(robot, [&](Eigen::Index k, const Joint& joint) {
+    numbers.push_back(k);
+    joints.push_back(&joint);
+  });
+  EXPECT_EQ(numbers, (std::vector<Eigen::Index>{0, 1}));
+  EXPECT_EQ(joints, (std::vector<const Joint*>{&robot.links[1].joint, &robot.links[3].joint}));
+}
+
+TEST(ForEachMovingJoint, ComesToAsManyAsTheRobotHasAndMayChangeThem) {
+  survey::Random random(9);
+  for (int trial = 0; trial < 100; ++trial) {
+    Robot robot = testing::random_robot(random, 1 + random.below(9));
+    for_each_moving_joint(robot, [](Eigen::Index k, Joint& joint) { joint.low = static_cast<double>(k); });
+    std::size_t next = 0;
+    for (const Link& link : robot.links) {
+      if (link.joint.kind == Joint::Kind::fixed)
+        EXPECT_TRUE(std::isinf(link.joint.low));
+      else
+        EXPECT_EQ(link.joint.low, static_cast<double>(next++));
+    }
+    EXPECT_EQ(next, robot.joint_count());
+  }
+}
+
+TEST(Ceilings, AreOfAJointsKind) {
+  const Robot robot = slider_on_a_turntable();
+  EXPECT_EQ(robot.ceilings.of(robot.links[1].joint), 0.5);
+  EXPECT_EQ(robot.ceilings.of(robot.links[3].joint), 0.25);
+}
+
 TEST(RequireSound, SaysWhatIsWrongAndWhere) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(complaint([](Robot&) {}), "");
