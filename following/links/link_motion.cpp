@@ -16,6 +16,16 @@ namespace {
 
 constexpr double kModelled = 0.2;  ///< λ: what is this near to a polygon is modelled
 
+/// How far any end of a part is moved.
+double longest_motion(std::span<const kinematics::BodyPart> body, const Posture& from, const Posture& to) {
+  double longest = 0;
+  for (const kinematics::BodyPart& part : body) {
+    const model::Capsule before = kinematics::in_world(part, from), after = kinematics::in_world(part, to);
+    longest = std::max({longest, (after.a - before.a).norm(), (after.b - before.b).norm()});
+  }
+  return longest;
+}
+
 double cell_of(const LinkParameters& p) { return p.objective.influence / 2; }
 
 }  // namespace
@@ -103,15 +113,16 @@ bool LinkMotion::is_sensed(const Posture& posture) const {
   });
 }
 
-/// What a step may enter its own sensors have seen to be free, however the way was found.
+/// Into space that none has seen to be free steps are short, so that what is there is seen before links get
+/// to it.
 Configuration LinkMotion::towards(const Configuration& there) const {
-  constexpr int kHalvings = 3;
   Configuration way = kinematics::limited(*posture_, there - posture_->configuration());
-  for (int i = 0; i <= kHalvings; ++i, way /= 2) {
-    way = guard_.longest(*posture_, way, *obstacles_);
-    if (is_sensed(Posture(guard_.robot(), posture_->configuration() + way))) return way;
+  const Posture end(guard_.robot(), posture_->configuration() + way);
+  if (!is_sensed(end)) {
+    const double length = longest_motion(guard_.body(), *posture_, end);
+    if (length > parameters_.resolution) way *= parameters_.resolution / length;
   }
-  return Configuration::Zero(way.size());
+  return guard_.longest(*posture_, way, *obstacles_);
 }
 
 /// Where something is too near and the programme finds no motion away from all of it: of small motions every
