@@ -64,6 +64,7 @@ class FrontierFollower : public Follower {
   Motion go_on(const Observation&);
   void give_up_what_is_near(const Observation&);
   Motion travel(const Observation&, bool has_moved);
+  void look_from_afar(const Observation&);
   bool begin_travel(const Observation&);
   bool begin_anew_elsewhere(const Observation&);
   bool was_tried(const Target&) const;
@@ -235,10 +236,19 @@ void FrontierFollower::leave_what_would_close(const Observation& seen) {
   asked_ = sets_;
 }
 
+/// What is known or given up by now need not be gone to.
+void FrontierFollower::look_from_afar(const Observation& seen) {
+  const View view = seen.model.view();
+  internal::Outlook there;
+  for (const OpenPart& part : open_.left(seen.posture.control_point(), view))
+    if (part.state == PartState::wanted) open_.set(part, finder_.add(view, part, there));
+}
+
 /// The last resorts are an edge of an initial segment, which may be far from every visited place (what was
 /// felt is always near one), what seems to be known, and what was in the way of something before.
 bool FrontierFollower::begin_travel(const Observation& seen) {
   const auto wanted = [&](const Vector3d& place) { return open_.any_wanted(place, aiming_reach()); };
+  if (judge()) look_from_afar(seen);
   if (sets_ - asked_ >= outcome_period(seen) / 2) leave_what_would_close(seen);
   if (transit_->begin(wanted)) return true;
   if (sets_ != asked_) {

@@ -17,6 +17,7 @@ OpenPart OpenEdgeMap::Entry::part(std::uint32_t i) const {
   const Vector3d step = (to - from) / count;
   OpenPart result;
   result.part = i;
+  result.state = parts[i];
   result.from = from + i * step;
   result.to = from + (i + 1) * step;
   return result;

@@ -14,23 +14,24 @@
 
 namespace limpet::following::internal {
 
-/// A part of an open edge, at most 2 λ long.
-struct OpenPart {
-  geometry::EdgeId edge;
-  std::uint32_t part = 0;  ///< its number along the edge
-  model::SegmentId segment;
-  Eigen::Vector3d from, to;
-  bool insist = false;  ///< to be looked at, although what is there seemed to be known
-  bool closes = false;  ///< finishing would close the edge
-  Eigen::Vector3d middle() const { return (from + to) / 2; }
-};
-
 /// What there is to be done outside a part of an open edge.
 enum class PartState : std::uint8_t {
   wanted,       ///< surface is expected there, or it is not known yet
   done,         ///< what is there is known
   unreachable,  ///< given up: no position to look from could be reached
   unclosable    ///< given up: looked at in vain
+};
+
+/// A part of an open edge, at most 2 λ long.
+struct OpenPart {
+  geometry::EdgeId edge;
+  std::uint32_t part = 0;  ///< its number along the edge
+  model::SegmentId segment;
+  Eigen::Vector3d from, to;
+  PartState state = PartState::wanted;
+  bool insist = false;  ///< to be looked at, although what is there seemed to be known
+  bool closes = false;  ///< finishing would close the edge
+  Eigen::Vector3d middle() const { return (from + to) / 2; }
 };
 
 /// The open edges of the model by place, kept by the changes that updates tell (model::Change).
