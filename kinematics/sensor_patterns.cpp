@@ -141,9 +141,9 @@ std::vector<RangeSensor> ball(const Ball& ball) {
 namespace {
 
 std::size_t count_around(const model::Capsule& part, const Skin& skin) {
-  constexpr double kFewest = 4;
+  constexpr double kFewest = 4, kBetween = 1.35, kInFront = 0.6;  // spacings
   if (skin.count > 0) return skin.count;
-  const double around = std::numbers::pi * (part.radius / skin.spacing + 1);
+  const double around = 2 * std::numbers::pi * (part.radius / skin.spacing + kInFront) / kBetween;
   require_pattern(around < kMostRings, "the spacing of a skin is too small for its link");
   return static_cast<std::size_t>(std::max(kFewest, std::ceil(around)));
 }

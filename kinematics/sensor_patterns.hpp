@@ -72,8 +72,8 @@ std::vector<RangeSensor> ball(const Ball&);
 struct Skin {
   std::size_t link = 0;
   double spacing = 0;  ///< of the rings, at most; a capsule has one at each end, or one if it is a ball
-  /// Sensors of each ring; 0: as many as let two neighbours' rays be no more than two spacings apart where
-  /// they are one spacing from the capsule, and at least 4.
+  /// Sensors of each ring; 0: as many as see as densely as those on the thesis's arm do, whose links are
+  /// thinner: 1.35 spacings from ray to ray, 0.6 spacings in front of the capsule. At least 4.
   std::size_t count = 0;
   double range = 0;
 };

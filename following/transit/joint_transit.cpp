@@ -39,6 +39,7 @@ class JointTransit final : public Transit {
   void set_way(std::vector<std::size_t> way, Mode);
   bool go_round(const Observation&);
   bool is_stopped(const Configuration& here);
+  bool has_come_upon_something() const;
   std::vector<std::size_t> shortened(std::vector<std::size_t> way) const;
   void leave_out_what_is_passed(const Configuration& here);
 
@@ -131,6 +132,12 @@ bool JointTransit::is_stopped(const Configuration& here) {
   return is_stopped;
 }
 
+/// On a way through what none has seen, is something nearer than links are to come? More of it may be nearer.
+bool JointTransit::has_come_upon_something() const {
+  constexpr double kNearer = 0.9;
+  return mode_ == Mode::reposition && links_.clearance() < kNearer * links_.parameters().least_distance;
+}
+
 /// A new way, from here to the goal or to a node on the way there.
 bool JointTransit::go_round(const Observation& seen) {
   roadmap_.arrive_exactly(seen.posture);
@@ -150,7 +157,7 @@ bool JointTransit::go_round(const Observation& seen) {
 
 Travel::Progress JointTransit::look(const Observation& seen, bool) {
   constexpr int kStops = 6;
-  const bool stopped = is_stopped(seen.posture.configuration());
+  const bool stopped = is_stopped(seen.posture.configuration()) || has_come_upon_something();
   if (stopped) roadmap_.block(way_.back()), ++stops_;
   const bool is_hopeless = stops_ >= kStops || --steps_left_ <= 0;
   if (is_hopeless) stops_ = 0;
