@@ -10,6 +10,7 @@
 #include <limpet/following/space_hash_internal.hpp>
 #include <limpet/following/transit/transit_internal.hpp>
 #include "aims_internal.hpp"
+#include "finish_forecast_internal.hpp"
 #include "open_edge_map_internal.hpp"
 #include "place_memory_internal.hpp"
 #include "targets_internal.hpp"
@@ -70,6 +71,8 @@ class FrontierFollower : public Follower {
   bool was_tried(const Target&) const;
   bool begin_to_see(const Target&);
   void leave_what_would_close(const Observation&);
+  void take_forecast();
+  void look_what_would_close(const Observation&);
   long outcome_period(const Observation&) const;
 
   static constexpr double kSurface = 0.6;                    ///< λ, the last bit of a free ray
@@ -96,7 +99,8 @@ class FrontierFollower : public Follower {
   std::optional<internal::ExpectedPlanes> planes_;  ///< of the outlook
   std::optional<Aim> aim_;
   Vector3d before_ = Vector3d::Zero();
-  long sets_ = 0, asked_ = 0;  ///< sets so far, and when it was last asked what would close
+  internal::FinishForecast forecast_;
+  long sets_ = 0, asked_ = 0;  ///< sets so far, and at which of them what is known to close would have closed
   std::int64_t outcomes_asked_ = 0;
   int retries_ = 0;
 };
@@ -236,6 +240,24 @@ void FrontierFollower::leave_what_would_close(const Observation& seen) {
   asked_ = sets_;
 }
 
+void FrontierFollower::take_forecast() {
+  const long asked = forecast_.asked();
+  const model::Outcome outcome = forecast_.take();
+  if (asked < asked_) return;  // more has been learned since
+  open_.note(outcome);
+  asked_ = asked;
+}
+
+/// An arm's steps are not kept waiting: what it knows is as old as the period again, which costs some sets.
+void FrontierFollower::look_what_would_close(const Observation& seen) {
+  const long period = outcome_period(seen);
+  if (forecast_.is_asked() && sets_ - forecast_.asked() >= period) take_forecast();
+  if (forecast_.is_asked() || sets_ - asked_ < period) return;
+  if (!judge()) return leave_what_would_close(seen);
+  forecast_.ask(seen.model, sets_);
+  ++outcomes_asked_;
+}
+
 /// What is known or given up by now need not be gone to.
 void FrontierFollower::look_from_afar(const Observation& seen) {
   const View view = seen.model.view();
@@ -249,7 +271,9 @@ void FrontierFollower::look_from_afar(const Observation& seen) {
 bool FrontierFollower::begin_travel(const Observation& seen) {
   const auto wanted = [&](const Vector3d& place) { return open_.any_wanted(place, aiming_reach()); };
   if (judge()) look_from_afar(seen);
-  if (sets_ - asked_ >= outcome_period(seen) / 2) leave_what_would_close(seen);
+  if (forecast_.is_asked()) take_forecast();
+  const long period = outcome_period(seen);
+  if (sets_ - asked_ >= (judge() ? period : period / 2)) leave_what_would_close(seen);
   if (transit_->begin(wanted)) return true;
   if (sets_ != asked_) {
     leave_what_would_close(seen);
@@ -365,8 +389,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
   else
     open_.apply(seen.changes, view);
   ++sets_;
-  if (sets_ - asked_ >= kLeastOutcomePeriod && sets_ - asked_ >= outcome_period(seen))
-    leave_what_would_close(seen);
+  look_what_would_close(seen);
   const bool has_moved = (here - before_).norm() >= 1e-3 * lambda();
   before_ = here;
   arrive(seen);

@@ -134,8 +134,8 @@ bool JointTransit::is_stopped(const Configuration& here) {
 
 /// On a way through what none has seen, is something nearer than links are to come? More of it may be nearer.
 bool JointTransit::has_come_upon_something() const {
-  constexpr double kNearer = 0.9;
-  return mode_ == Mode::reposition && links_.clearance() < kNearer * links_.parameters().least_distance;
+  constexpr double kTooNear = 0.9;  // d_s
+  return mode_ == Mode::reposition && links_.clearance() < kTooNear * links_.parameters().least_distance;
 }
 
 /// A new way, from here to the goal or to a node on the way there.
