@@ -9,9 +9,7 @@ namespace limpet::following::internal {
 
 void FinishForecast::ask(const model::Model& model, long set) {
   asked_ = set;
-  const auto answer = [](const std::string& state) {
-    return model::Model::from_state(state).would_finish();
-  };
+  const auto answer = [](const std::string& state) { return model::Model::from_state(state).would_finish(); };
   std::string state = model.state();
   try {
     answer_ = std::async(std::launch::async, answer, state);

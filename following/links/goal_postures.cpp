@@ -73,6 +73,8 @@ class Goals {
     found_.push_back(at);
   }
 
+  bool empty() const { return found_.empty(); }
+
   std::vector<Configuration> best() const {
     constexpr std::size_t kMost = 4;
     auto order = order_;
@@ -106,9 +108,11 @@ class Look {
     return sensor.position + std::clamp(along, std::min(nearest, farthest), farthest) * sensor.axis;
   }
 
-  Task task(const Posture& posture, std::size_t i) const {
-    const Vector3d point = point_of(posture.sensor(i));
-    return {suspicion_.at - point, posture.jacobian(posture.robot().sensors[i].link, point)};
+  TaskIn task_of(std::size_t i) const {
+    return [this, i](const Posture& posture) {
+      const Vector3d point = point_of(posture.sensor(i));
+      return Task{suspicion_.at - point, posture.jacobian(posture.robot().sensors[i].link, point)};
+    };
   }
 
   /// How far the sensor looks past the place; more for one that looks from behind or along the surface.
@@ -175,6 +179,20 @@ std::vector<Start> starts_of(const Look& look, const Robot& robot, const std::ve
   return starts;
 }
 
+/// The first ones, no two of one kind of posture.
+std::vector<Start> apart(const std::vector<Start>& starts, const Roadmap& roadmap) {
+  constexpr std::size_t kMost = 16;
+  constexpr double kOther = 3;  // steps from each other
+  std::vector<Start> chosen;
+  for (const Start& start : starts) {
+    if (chosen.size() == kMost) break;
+    if (std::all_of(chosen.begin(), chosen.end(),
+                    [&](const Start& other) { return roadmap.steps(other.at, start.at) > kOther; }))
+      chosen.push_back(start);
+  }
+  return chosen;
+}
+
 }  // namespace
 
 Configuration spread_over(const Robot& robot, const Eigen::VectorXd& unit) {
@@ -191,7 +209,7 @@ std::vector<Configuration> goal_postures(const LinkMotion& links, const Roadmap&
   const Robot& robot = links.guard().robot();
   const double precision = kPrecision * links.parameters().resolution;
   const auto task = [&](const Posture& posture) {
-    return Task{place - posture.control_point(), posture.jacobian()};
+    return control_point_task(posture, place - posture.control_point());
   };
   Goals goals(links, roadmap);
   for (const Configuration& seed : seeds_of(robot, roadmap, place))
@@ -199,20 +217,25 @@ std::vector<Configuration> goal_postures(const LinkMotion& links, const Roadmap&
   return goals.best();
 }
 
-std::vector<Configuration> sighting_postures(const LinkMotion& links, const Roadmap& roadmap,
+std::vector<Configuration> sighting_postures(LinkMotion& links, const Roadmap& roadmap,
                                              const Suspicion& suspicion,
                                              std::span<const std::size_t> sensors) {
   const Robot& robot = links.guard().robot();
   const double precision = kPrecision * links.parameters().resolution;
   const Look look(links, suspicion);
-  const std::vector<Configuration> from = configurations_for(robot, roadmap, suspicion.at);
+  const std::vector<Start> starts =
+      starts_of(look, robot, configurations_for(robot, roadmap, suspicion.at), sensors);
   Goals goals(links, roadmap);
-  for (const Start& start : starts_of(look, robot, from, sensors)) {
-    const auto task = [&](const Posture& posture) { return look.task(posture, start.sensor); };
-    const auto at = led_to(robot, start.at, task, precision);
-    if (!at || !goals.is_new(*at)) continue;
-    if (const Posture posture(robot, *at); look.sees(posture, start.sensor)) goals.add(posture);
-  }
+  const auto take = [&](const Posture& posture, std::size_t sensor) {
+    if (goals.is_new(posture.configuration()) && look.sees(posture, sensor)) goals.add(posture);
+  };
+  for (const Start& start : starts)
+    if (const auto at = led_to(robot, start.at, look.task_of(start.sensor), precision))
+      take(Posture(robot, *at), start.sensor);
+  if (!goals.empty()) return goals.best();
+  for (const Start& start : apart(starts, roadmap))
+    if (const auto posture = links.led_clear(start.at, look.task_of(start.sensor)))
+      take(*posture, start.sensor);
   return goals.best();
 }
 

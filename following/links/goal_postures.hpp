@@ -27,7 +27,9 @@ struct Suspicion {
 /// With one of these sensors looking at the place: its axis goes through it to a tenth of λ, at 75° of
 /// incidence or less, and so far within its range that the ray tells whether anything is there (0.7 λ
 /// beyond); nothing of the model is between.
-std::vector<kinematics::Configuration> sighting_postures(const LinkMotion&, const Roadmap&, const Suspicion&,
+/// Where the inverse of the Jacobian leads to none that is clear, steps of the programme, which keep links
+/// off, are tried (LinkMotion::led_clear()).
+std::vector<kinematics::Configuration> sighting_postures(LinkMotion&, const Roadmap&, const Suspicion&,
                                                          std::span<const std::size_t> sensors);
 
 /// A configuration within the joints' ranges, those without limits from −π to π, by the numbers from 0 to 1.

@@ -8,8 +8,8 @@ using kinematics::Configuration;
 using kinematics::Posture;
 using kinematics::Robot;
 
-std::optional<Configuration> led_to(const Robot& robot, Configuration from,
-                                    const std::function<Task(const Posture&)>& task, double precision) {
+std::optional<Configuration> led_to(const Robot& robot, Configuration from, const TaskIn& task,
+                                    double precision) {
   constexpr int kSteps = 40;
   constexpr double kDamping = 1e-3, kLongest = 0.4;
   for (int i = 0; i < kSteps; ++i) {

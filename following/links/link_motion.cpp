@@ -85,7 +85,9 @@ void LinkMotion::hold_stuck_joints(const Configuration& here) {
 Configuration LinkMotion::changes(const Vector3d& motion) {
   if (!is_checked()) return by_thesis(motion);
   Configuration changes = guard_.longest(
-      *posture_, programme_.changes(*posture_, motion, *obstacles_, unexplained_), *obstacles_);
+      *posture_,
+      programme_.changes(*posture_, control_point_task(*posture_, motion), *obstacles_, unexplained_),
+      *obstacles_);
   if (!changes.isZero() || guard_.is_clear(*posture_, *obstacles_)) return changes;
   return way_out();
 }
@@ -143,20 +145,32 @@ Configuration LinkMotion::way_out() const {
 }
 
 std::optional<Posture> LinkMotion::reaching(const Vector3d& place) {
+  return led(
+      *posture_, [&](const Posture& at) { return control_point_task(at, place - at.control_point()); },
+      unexplained_);
+}
+
+std::optional<Posture> LinkMotion::led_clear(const Configuration& from, const TaskIn& task) {
+  return led(Posture(guard_.robot(), from), task, {});
+}
+
+std::optional<Posture> LinkMotion::led(Posture posture, const TaskIn& task,
+                                       std::span<const std::size_t> seeing) {
   constexpr double kThere = 0.1;  // λ
   constexpr int kMoreSteps = 4;
-  Posture posture = *posture_;
-  double left = (place - posture.control_point()).norm();
+  Task next = task(posture);
+  double left = next.way.norm();
   int steps = kMoreSteps + static_cast<int>(std::ceil(left / parameters_.max_step));
   while (left > kThere * parameters_.resolution) {
-    Vector3d motion = place - posture.control_point();
-    if (left > parameters_.max_step) motion *= parameters_.max_step / left;
-    const Configuration changes = programme_.changes(posture, motion, *obstacles_, unexplained_);
+    if (left > parameters_.max_step) next.way *= parameters_.max_step / left;
+    const Configuration changes = programme_.changes(posture, next, *obstacles_, seeing);
     const Posture there(guard_.robot(), posture.configuration() + changes);
     if (!guard_.is_no_worse(there, posture, *obstacles_)) return std::nullopt;
     posture = there;
-    const double left_then = (place - posture.control_point()).norm();
-    if (--steps < 0 || left_then > left - 0.2 * motion.norm()) return std::nullopt;
+    const double length = next.way.norm();
+    next = task(posture);
+    const double left_then = next.way.norm();
+    if (--steps < 0 || left_then > left - 0.2 * length) return std::nullopt;
     left = left_then;
   }
   return posture;

@@ -72,8 +72,12 @@ class LinkMotion {
   /// point to this place in a few steps more than its way takes, by what is known now; none: they do not.
   /// Only where steps end is looked at. Precondition: is_checked().
   std::optional<kinematics::Posture> reaching(const Eigen::Vector3d& place);
+  /// The same for any task, from any configuration, to a tenth of λ.
+  std::optional<kinematics::Posture> led_clear(const kinematics::Configuration& from, const TaskIn&);
 
  private:
+  std::optional<kinematics::Posture> led(kinematics::Posture from, const TaskIn&,
+                                         std::span<const std::size_t> seeing);
   Eigen::VectorXd reconfiguration_by_thesis() const;
   kinematics::Configuration by_thesis(const Eigen::Vector3d& motion);
   kinematics::Configuration way_out() const;

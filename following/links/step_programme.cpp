@@ -24,14 +24,14 @@ constexpr double kEffort = 1e-4, kGradient = 0.02;
 StepProgramme::StepProgramme(const LinkGuard& guard, const LinkParameters& parameters)
     : guard_(guard), parameters_(parameters) {}
 
-Configuration StepProgramme::changes(const Posture& posture, const Vector3d& motion,
-                                     const Obstacles& obstacles, std::span<const std::size_t> seeing) {
+Configuration StepProgramme::changes(const Posture& posture, const Task& task, const Obstacles& obstacles,
+                                     std::span<const std::size_t> seeing) {
   obstacles.nearest_of_links(posture, guard_.body(), parameters_.objective.influence, near_);
   Eigen::VectorXd z = kinematics::reconfiguration(posture, near_, parameters_.objective);
   if (!seeing.empty())
     z += kinematics::reconfiguration(posture, posture.robot().switches, seeing,
                                      parameters_.objective.exponent);
-  aim(posture, motion, z);
+  aim(posture, task, z);
   bound(posture);
   obstacles.near(posture, guard_.body(), parameters_.objective.influence, near_);
   hold_.clear();
@@ -48,9 +48,9 @@ Configuration StepProgramme::changes(const Posture& posture, const Vector3d& mot
   return kinematics::limited(posture, solve());
 }
 
-/// The cost: move the control point so, and by the way down the objective's gradient.
-void StepProgramme::aim(const Posture& posture, const Vector3d& motion, const Eigen::VectorXd& z) {
-  const Eigen::Matrix3Xd jacobian = posture.jacobian();
+/// The cost: move the point so, and by the way down the objective's gradient.
+void StepProgramme::aim(const Posture& posture, const Task& task, const Eigen::VectorXd& z) {
+  const auto& [motion, jacobian] = task;
   const double lever = kinematics::largest_lever(posture);
   problem_.hessian = jacobian.transpose() * jacobian;
   problem_.hessian.diagonal().array() += kEffort * lever * lever;
