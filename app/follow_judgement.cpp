@@ -41,7 +41,7 @@ evaluation::RunJudgement judge_by_truth(const FollowSetup& setup, const FollowOu
   options.tour = with_tour && !setup.links;
   if (setup.links)
     options.arm = evaluation::PlacedArm{setup.robot, setup.configuration, outcome.way,
-                                        setup.following.resolution, setup.links->spared};
+                                        setup.links->least_distance, setup.links->spared};
   else
     options.sensing = evaluation::sensing_of(kinematics::Posture(setup.robot, setup.configuration));
   return evaluation::judge_run(

@@ -96,14 +96,16 @@ class Goals {
 /// Looking at a place with a robot's sensors.
 class Look {
  public:
-  Look(const LinkMotion& links, const Suspicion& suspicion) : links_(links), suspicion_(suspicion) {}
+  Look(const LinkMotion& links, const Suspicion& suspicion, Sight sight)
+      : links_(links), suspicion_(suspicion), is_sure_(sight == Sight::sure) {}
 
   /// The point on the sensor's axis that is to be brought to the place: the nearest of those at which
   /// something would be met for certain, and from which the sensor is not too near to it.
   Vector3d point_of(const Posture::Sensor& sensor) const {
-    constexpr double kBeyond = 0.7;  // λ
+    constexpr double kSurelyBeyond = 0.7, kBeyond = 0.1;  // λ
     const LinkParameters& p = links_.parameters();
-    const double nearest = p.control_clearance, farthest = sensor.range - kBeyond * p.resolution;
+    const double beyond = (is_sure_ ? kSurelyBeyond : kBeyond) * p.resolution;
+    const double nearest = p.control_clearance, farthest = sensor.range - beyond;
     const double along = (suspicion_.at - sensor.position).dot(sensor.axis);
     return sensor.position + std::clamp(along, std::min(nearest, farthest), farthest) * sensor.axis;
   }
@@ -124,9 +126,9 @@ class Look {
   }
 
   bool sees(const Posture& posture, std::size_t i) const {
-    constexpr double kLeastCosine = 0.26;  // 75°
+    constexpr double kSure = 0.26, kFaint = 0.1;  // cosines of 75° and 84°
     const auto sensor = posture.sensor(i);
-    if (-sensor.axis.dot(suspicion_.normal) < kLeastCosine) return false;
+    if (-sensor.axis.dot(suspicion_.normal) < (is_sure_ ? kSure : kFaint)) return false;
     const Vector3d way = suspicion_.at - sensor.position;
     const double free = way.norm() - links_.parameters().resolution / 2;
     return free <= 0 || !links_.obstacles().view().first_hit(sensor.position, way, free);
@@ -135,6 +137,7 @@ class Look {
  private:
   const LinkMotion& links_;
   const Suspicion& suspicion_;
+  bool is_sure_;
 };
 
 /// A configuration to begin with, and the sensor that is to see.
@@ -218,11 +221,11 @@ std::vector<Configuration> goal_postures(const LinkMotion& links, const Roadmap&
 }
 
 std::vector<Configuration> sighting_postures(LinkMotion& links, const Roadmap& roadmap,
-                                             const Suspicion& suspicion,
+                                             const Suspicion& suspicion, Sight sight,
                                              std::span<const std::size_t> sensors) {
   const Robot& robot = links.guard().robot();
   const double precision = kPrecision * links.parameters().resolution;
-  const Look look(links, suspicion);
+  const Look look(links, suspicion, sight);
   const std::vector<Start> starts =
       starts_of(look, robot, configurations_for(robot, roadmap, suspicion.at), sensors);
   Goals goals(links, roadmap);

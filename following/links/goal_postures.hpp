@@ -12,7 +12,7 @@ namespace limpet::following {
 // Where a robot is to go: configurations that are clear by what is known (LinkGuard::is_clear()), found by
 // the damped inverse of the Jacobian from configurations of the roadmap, nearest first, and from others
 // spread over the joints' ranges. Those that lie in sensed space come first, then by how near they are to the
-// roadmap. Few: at most 6; empty when none is found. The same calls give the same answer.
+// roadmap. Few: at most 4; empty when none is found. The same calls give the same answer.
 
 /// With the control point at a place (world), to a tenth of λ.
 std::vector<kinematics::Configuration> goal_postures(const LinkMotion&, const Roadmap&,
@@ -24,12 +24,16 @@ struct Suspicion {
   Eigen::Vector3d normal;  ///< the way that surface would face; a unit vector
 };
 
-/// With one of these sensors looking at the place: its axis goes through it to a tenth of λ, at 75° of
-/// incidence or less, and so far within its range that the ray tells whether anything is there (0.7 λ
-/// beyond); nothing of the model is between.
-/// Where the inverse of the Jacobian leads to none that is clear, steps of the programme, which keep links
-/// off, are tried (LinkMotion::led_clear()).
-std::vector<kinematics::Configuration> sighting_postures(LinkMotion&, const Roadmap&, const Suspicion&,
+/// How well a place is to be seen.
+enum class Sight {
+  sure,  ///< at 75° of incidence or less, 0.7 λ within the range: the ray tells whether anything is there
+  faint  ///< at 84° or less, at the end of the range: what is there may be met
+};
+
+/// With one of these sensors looking at the place: its axis goes through it to a tenth of λ, and nothing of
+/// the model is between. Where the inverse of the Jacobian leads to none that is clear, steps of the
+/// programme, which keep links off, are tried (LinkMotion::led_clear()).
+std::vector<kinematics::Configuration> sighting_postures(LinkMotion&, const Roadmap&, const Suspicion&, Sight,
                                                          std::span<const std::size_t> sensors);
 
 /// A configuration within the joints' ranges, those without limits from −π to π, by the numbers from 0 to 1.

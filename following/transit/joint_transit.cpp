@@ -88,8 +88,9 @@ bool JointTransit::begin_to_one_of(const std::vector<Configuration>& goals) {
 
 /// From where a sensor at the control point sees something, the strategy goes on by itself.
 bool JointTransit::begin_to_see(const Suspicion& suspicion) {
-  for (const auto* sensors : {&at_control_point_, &elsewhere_})
-    if (begin_to_one_of(sighting_postures(links_, roadmap_, suspicion, *sensors))) return true;
+  for (const Sight sight : {Sight::sure, Sight::faint})
+    for (const auto* sensors : {&at_control_point_, &elsewhere_})
+      if (begin_to_one_of(sighting_postures(links_, roadmap_, suspicion, sight, *sensors))) return true;
   return false;
 }
 
