@@ -84,10 +84,9 @@ void LinkMotion::hold_stuck_joints(const Configuration& here) {
 
 Configuration LinkMotion::changes(const Vector3d& motion) {
   if (!is_checked()) return by_thesis(motion);
-  Configuration changes = guard_.longest(
-      *posture_,
-      programme_.changes(*posture_, control_point_task(*posture_, motion), *obstacles_, unexplained_),
-      *obstacles_);
+  const Configuration wanted =
+      programme_.changes(*posture_, control_point_task(*posture_, motion), *obstacles_, unexplained_);
+  Configuration changes = guard_.longest(*posture_, careful(wanted), *obstacles_);
   if (!changes.isZero() || guard_.is_clear(*posture_, *obstacles_)) return changes;
   return way_out();
 }
@@ -117,14 +116,17 @@ bool LinkMotion::is_sensed(const Posture& posture) const {
 
 /// Into space that none has seen to be free steps are short, so that what is there is seen before links get
 /// to it.
-Configuration LinkMotion::towards(const Configuration& there) const {
-  Configuration way = kinematics::limited(*posture_, there - posture_->configuration());
+Configuration LinkMotion::careful(const Configuration& way) const {
+  const double longest = parameters_.resolution;
   const Posture end(guard_.robot(), posture_->configuration() + way);
-  if (!is_sensed(end)) {
-    const double length = longest_motion(guard_.body(), *posture_, end);
-    if (length > parameters_.resolution) way *= parameters_.resolution / length;
-  }
-  return guard_.longest(*posture_, way, *obstacles_);
+  if (is_sensed(end)) return way;
+  const double length = longest_motion(guard_.body(), *posture_, end);
+  return length > longest ? Configuration(way * (longest / length)) : way;
+}
+
+Configuration LinkMotion::towards(const Configuration& there) const {
+  const Configuration way = kinematics::limited(*posture_, there - posture_->configuration());
+  return guard_.longest(*posture_, careful(way), *obstacles_);
 }
 
 /// Where something is too near and the programme finds no motion away from all of it: of small motions every

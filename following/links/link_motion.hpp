@@ -81,6 +81,7 @@ class LinkMotion {
   Eigen::VectorXd reconfiguration_by_thesis() const;
   kinematics::Configuration by_thesis(const Eigen::Vector3d& motion);
   kinematics::Configuration way_out() const;
+  kinematics::Configuration careful(const kinematics::Configuration& way) const;
   void hold_stuck_joints(const kinematics::Configuration& here);
 
   kinematics::Robot robot_;  ///< stuck joints have their limits where they are
