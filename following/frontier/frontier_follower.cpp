@@ -3,16 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limpet/following/free_rays.hpp>
 #include <optional>
 #include <utility>
 
 #include <limpet/following/space_hash_internal.hpp>
 #include <limpet/following/transit/transit_internal.hpp>
 #include "aims_internal.hpp"
-#include "finish_forecast_internal.hpp"
+#include "closing_watch_internal.hpp"
+#include "empty_rays_internal.hpp"
 #include "open_edge_map_internal.hpp"
 #include "place_memory_internal.hpp"
+#include "repositioning_internal.hpp"
 #include "targets_internal.hpp"
 
 namespace limpet::following {
@@ -28,8 +29,7 @@ using model::View;
 
 struct Nothing {};
 
-constexpr long kLeastOutcomePeriod = 20;  ///< sets
-constexpr int kRetries = 2;               ///< of what was unreachable
+constexpr int kRetries = 2;  ///< of what was unreachable
 
 class FrontierFollower : public Follower {
  public:
@@ -39,13 +39,14 @@ class FrontierFollower : public Follower {
         memory_(p.resolution),
         empty_(3 * p.resolution),
         finder_(p, memory_),
-        tried_(p.resolution) {}
+        closing_(open_, judge() != nullptr),
+        repositioning_(parameters(), open_, memory_, finder_) {}
 
   Marks marks() const override {
     return {{}, open_.edges(PartState::unreachable), open_.edges(PartState::unclosable)};
   }
   Intent intent(const View&) const override;
-  std::int64_t outcomes_asked() const override { return outcomes_asked_; }
+  std::int64_t outcomes_asked() const override { return closing_.asked(); }
 
  protected:
   Motion choose(const Observation&) override;
@@ -53,10 +54,7 @@ class FrontierFollower : public Follower {
  private:
   void begin(const Observation&);
   void look_at_what_was_read(const Observation&);
-  void note_empty(const std::vector<Ray>&);
-  void note_empty(const std::vector<Target>&, const std::vector<Ray>&);
   void arrive(const Observation&);
-  void look_at_sought(const Observation&);
   void look_around(const Observation&);
   void look_around_points(const View&, const Vector3d& here);
   bool has_arrived(const kinematics::Posture&) const;
@@ -67,16 +65,7 @@ class FrontierFollower : public Follower {
   Motion travel(const Observation&, bool has_moved);
   void look_from_afar(const Observation&);
   bool begin_travel(const Observation&);
-  bool begin_anew_elsewhere(const Observation&);
-  bool was_tried(const Target&) const;
-  bool begin_to_see(const Target&);
-  void leave_what_would_close(const Observation&);
-  void take_forecast();
-  void look_what_would_close(const Observation&);
-  long outcome_period(const Observation&) const;
 
-  static constexpr double kSurface = 0.6;                    ///< λ, the last bit of a free ray
-  static constexpr double kNear = 0.4, kLeastCosine = 0.25;  ///< λ; of a ray that goes through a place
   double lambda() const { return parameters().resolution; }
   /// Open edges this near can be aimed at.
   double aiming_reach() const { return 0.875 * parameters().sensing_range; }
@@ -90,53 +79,29 @@ class FrontierFollower : public Follower {
   internal::PlaceMemory memory_;
   internal::SpaceHash<Nothing> empty_;  ///< where rays met nothing on ground that was expected
   internal::TargetFinder finder_;
+  internal::ClosingWatch closing_;
+  internal::Repositioning repositioning_;
   std::unique_ptr<internal::Transit> transit_;  ///< from the first set on
-  internal::SpaceHash<Vector3d> tried_;  ///< for each try of another configuration: the target's normal
-  std::optional<Target> sought_;         ///< what the robot takes such a configuration to see
   std::vector<OpenPart> parts_;
   std::vector<View::Nearest> points_;
   internal::Outlook outlook_;
   std::optional<internal::ExpectedPlanes> planes_;  ///< of the outlook
   std::optional<Aim> aim_;
   Vector3d before_ = Vector3d::Zero();
-  internal::FinishForecast forecast_;
-  long sets_ = 0, asked_ = 0;  ///< sets so far, and at which of them what is known to close would have closed
-  std::int64_t outcomes_asked_ = 0;
+  long sets_ = 0;
   int retries_ = 0;
 };
 
-/// What of each sensor's ray is known to be free, but for the last bit: a surface a little before the one
-/// that is expected is the same. A reading may be this far beside its axis.
-std::vector<Ray> free_rays(const Observation& seen, double beside, double last_bit) {
-  std::vector<Ray> rays;
-  for (std::size_t i = 0; i < seen.posture.robot().sensors.size(); ++i) {
-    const auto sensor = seen.posture.sensor(i);
-    rays.push_back({sensor.position, sensor.axis, free_range(sensor, seen.readings, beside) - last_bit});
-  }
-  return rays;
-}
-
 /// Remembers where surface was expected and rays met nothing.
 void FrontierFollower::look_at_what_was_read(const Observation& seen) {
-  if (planes_) note_empty(free_rays(seen, lambda(), kSurface * lambda()));
-}
-
-void FrontierFollower::note_empty(const std::vector<Target>& targets, const std::vector<Ray>& rays) {
-  for (const Target& target : targets) {
-    const auto goes_through = [&](const Ray& ray) {
-      const auto crosses = internal::crossing(ray, target.normal, target.normal.dot(target.at), kLeastCosine);
-      return crosses && (*crosses - target.at).squaredNorm() < kNear * kNear * lambda() * lambda();
-    };
-    if (std::any_of(rays.begin(), rays.end(), goes_through)) memory_.note_empty(target.at, target.normal);
-  }
-}
-
-void FrontierFollower::note_empty(const std::vector<Ray>& rays) {
-  note_empty(outlook_.targets, rays);
+  if (!planes_) return;
+  const std::vector<Ray> rays = internal::free_rays(seen, lambda());
+  internal::note_empty(outlook_.targets, rays, lambda(), memory_);
   std::vector<Vector3d> places;
-  for (const Ray& ray : rays) planes_->add_new_ground(ray, kLeastCosine, places);
+  for (const Ray& ray : rays) planes_->add_new_ground(ray, internal::kLeastThroughCosine, places);
   for (const Vector3d& place : places)
-    if (!empty_.any_within(place, kNear * lambda(), [](const Vector3d&, Nothing) { return true; }))
+    if (!empty_.any_within(place, internal::kThrough * lambda(),
+                           [](const Vector3d&, Nothing) { return true; }))
       empty_.put(place, {});
 }
 
@@ -228,36 +193,6 @@ void FrontierFollower::give_up_what_is_near(const Observation& seen) {
   if (judge()) look_around(seen);
 }
 
-/// The number of sets after which it is asked again what would close. An answer takes the longer, the more
-/// polygons there are.
-long FrontierFollower::outcome_period(const Observation& seen) const {
-  return std::max(kLeastOutcomePeriod, static_cast<long>(seen.model.counts().polygons));
-}
-
-void FrontierFollower::leave_what_would_close(const Observation& seen) {
-  open_.note(seen.model.would_finish());
-  ++outcomes_asked_;
-  asked_ = sets_;
-}
-
-void FrontierFollower::take_forecast() {
-  const long asked = forecast_.asked();
-  const model::Outcome outcome = forecast_.take();
-  if (asked < asked_) return;  // more has been learned since
-  open_.note(outcome);
-  asked_ = asked;
-}
-
-/// An arm's steps are not kept waiting: what it knows is as old as the period again, which costs some sets.
-void FrontierFollower::look_what_would_close(const Observation& seen) {
-  const long period = outcome_period(seen);
-  if (forecast_.is_asked() && sets_ - forecast_.asked() >= period) take_forecast();
-  if (forecast_.is_asked() || sets_ - asked_ < period) return;
-  if (!judge()) return leave_what_would_close(seen);
-  forecast_.ask(seen.model, sets_);
-  ++outcomes_asked_;
-}
-
 /// What is known or given up by now need not be gone to.
 void FrontierFollower::look_from_afar(const Observation& seen) {
   const View view = seen.model.view();
@@ -271,82 +206,30 @@ void FrontierFollower::look_from_afar(const Observation& seen) {
 bool FrontierFollower::begin_travel(const Observation& seen) {
   const auto wanted = [&](const Vector3d& place) { return open_.any_wanted(place, aiming_reach()); };
   if (judge()) look_from_afar(seen);
-  if (forecast_.is_asked()) take_forecast();
-  const long period = outcome_period(seen);
-  if (sets_ - asked_ >= (judge() ? period : period / 2)) leave_what_would_close(seen);
+  closing_.look_before_leaving(seen);
   if (transit_->begin(wanted)) return true;
-  if (sets_ != asked_) {
-    leave_what_would_close(seen);
-    if (transit_->begin(wanted)) return true;
-  }
+  if (closing_.look_now(seen) && transit_->begin(wanted)) return true;
   while (const auto given =
              open_.nearest_wanted_of_initial(seen.posture.control_point(), seen.model.view())) {
     if (transit_->begin_to(*given)) return true;
     open_.give_up(*given, aiming_reach());
   }
   if (open_.insist() && transit_->begin(wanted)) return true;
-  if (judge()) return begin_anew_elsewhere(seen);
+  if (judge()) return repositioning_.begin(seen, *transit_, outlook_.targets);
   if (retries_ == kRetries || !open_.retry()) return false;
   ++retries_;
   memory_.forget_blocked();
   return transit_->begin(wanted);
 }
 
-/// What was out of reach may be within, from another configuration: thesis §3.4.7 has it for later. Last come
-/// targets around points that are no polygon yet.
-bool FrontierFollower::begin_anew_elsewhere(const Observation& seen) {
-  const View view = seen.model.view();
-  for (const OpenPart& part : open_.left(seen.posture.control_point(), view)) {
-    memory_.forget_blocked(part.middle(), lambda());
-    internal::Outlook there;
-    const PartState state = finder_.add(view, part, there);
-    if (state == PartState::wanted && begin_to_see(there.targets.back())) return true;
-    open_.set(part, state == PartState::wanted ? PartState::unreachable : state);
-  }
-  const std::vector<Target> near = outlook_.targets;
-  return std::any_of(near.begin(), near.end(), [&](const Target& t) { return begin_to_see(t); });
-}
-
-bool FrontierFollower::was_tried(const Target& target) const {
-  constexpr int kTries = 3;
-  constexpr double kTogether = 0.6;  // λ
-  int tries = 0;
-  tried_.for_each_within(target.at, kTogether * lambda(), [&](const Vector3d&, const Vector3d& normal) {
-    if (normal.dot(target.normal) > 0.9) ++tries;
-  });
-  return tries >= kTries;
-}
-
-/// Begins a way to where a sensor looks at a target, unless that was tried before.
-bool FrontierFollower::begin_to_see(const Target& target) {
-  const bool was_tried = this->was_tried(target);
-  if (!was_tried) tried_.put(target.at, target.normal);
-  if (was_tried || !transit_->begin_to_see({target.at, target.normal})) {
-    for (int i = 0; i < internal::PlaceMemory::kBlocked; ++i) memory_.note_blocked(target.at, target.normal);
-    return false;
-  }
-  sought_ = target;
-  return true;
-}
-
-/// From where the robot has come to see something, which may be far from its control point.
-void FrontierFollower::look_at_sought(const Observation& seen) {
-  const View view = seen.model.view();
-  const auto rays = free_rays(seen, lambda(), kSurface * lambda());
-  note_empty({*sought_}, rays);
-  memory_.forget_blocked(seen.posture.control_point(), aiming_reach());
-  open_.near(sought_->at, 2 * lambda(), view, parts_);
-  internal::Outlook there;
-  for (const OpenPart& part : parts_)
-    if (const PartState state = finder_.add(view, part, there); !part.closes) open_.set(part, state);
-}
-
 void FrontierFollower::arrive(const Observation& seen) {
   const bool was_under_way = transit_->is_under_way();
   transit_->arrive(seen);
-  if (transit_->is_under_way() || !sought_) return;
-  if (was_under_way) look_at_sought(seen);
-  sought_.reset();
+  if (!repositioning_.is_under_way() || transit_->is_under_way()) return;
+  if (was_under_way)
+    repositioning_.arrived(seen);
+  else
+    repositioning_.stop();
 }
 
 Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
@@ -356,7 +239,7 @@ Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
       open_.give_up(transit_->goal(), aiming_reach());
       give_up_what_is_near(seen);  // it is looked at at every step, and would be wanted again for ever
     }
-    if (progress != internal::Travel::Progress::good) transit_->stop(), sought_.reset();
+    if (progress != internal::Travel::Progress::good) transit_->stop(), repositioning_.stop();
   }
   if (!transit_->is_under_way() && !begin_travel(seen))
     return {Vector3d::Zero(), {}, Mode::travel, End::complete};
@@ -389,7 +272,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
   else
     open_.apply(seen.changes, view);
   ++sets_;
-  look_what_would_close(seen);
+  closing_.look(seen);
   const bool has_moved = (here - before_).norm() >= 1e-3 * lambda();
   before_ = here;
   arrive(seen);
@@ -397,7 +280,7 @@ Motion FrontierFollower::choose(const Observation& seen) {
   look_around(seen);
   clearance().suspect(outlook_.suspected);
   close_aim(seen.posture, has_moved);
-  if (!outlook_.targets.empty() && !sought_) {
+  if (!outlook_.targets.empty() && !repositioning_.is_under_way()) {
     if (const Motion motion = go_on(seen); motion.mode != Mode::none) {
       transit_->arrived();
       return motion;

@@ -123,21 +123,13 @@ bool OpenEdgeMap::retry() {
   return any;
 }
 
-void OpenEdgeMap::change(const Vector3d& p, double reach, PartState before, PartState after) {
+void OpenEdgeMap::give_up(const Vector3d& p, double reach) {
   places_.for_each_within(p, reach, [&](const Vector3d&, const Place& place) {
     const auto known = edges_.find(place.edge);
     if (known == edges_.end()) return;
     PartState& state = known->second.parts[place.part];
-    if (state == before) state = after;
+    if (state == PartState::wanted) state = PartState::unreachable;
   });
-}
-
-void OpenEdgeMap::retry(const Vector3d& p, double reach) {
-  change(p, reach, PartState::unreachable, PartState::wanted);
-}
-
-void OpenEdgeMap::give_up(const Vector3d& p, double reach) {
-  change(p, reach, PartState::wanted, PartState::unreachable);
 }
 
 std::vector<OpenPart> OpenEdgeMap::left(const Vector3d& p, const View& view) const {

@@ -61,8 +61,6 @@ class OpenEdgeMap {
   void give_up(const Eigen::Vector3d& p, double reach);
   /// The parts that are wanted or unreachable, of edges that would not close, the nearest to p first.
   std::vector<OpenPart> left(const Eigen::Vector3d& p, const model::View&) const;
-  /// The parts within `reach` of p that are unreachable are wanted again.
-  void retry(const Eigen::Vector3d& p, double reach);
   /// The middle of the part of an initial segment's edge that is wanted and nearest to p; none: there is no
   /// such part. It may be far from where anything was felt. Takes time for all open edges.
   std::optional<Eigen::Vector3d> nearest_wanted_of_initial(const Eigen::Vector3d& p,
@@ -85,8 +83,6 @@ class OpenEdgeMap {
     std::uint64_t edge;
     std::uint32_t part;
   };
-  /// Of the parts within `reach` of p.
-  void change(const Eigen::Vector3d& p, double reach, PartState before, PartState after);
   void put(geometry::EdgeId, const model::View&);
   void forget(geometry::EdgeId);
 

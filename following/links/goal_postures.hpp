@@ -9,13 +9,14 @@
 
 namespace limpet::following {
 
-// Where a robot is to go: configurations that are clear by what is known (LinkGuard::is_clear()), found by
-// the damped inverse of the Jacobian from configurations of the roadmap, nearest first, and from others
-// spread over the joints' ranges. Those that lie in sensed space come first, then by how near they are to the
+// Where a robot is to go: configurations that are clear by what is known (LinkGuard::is_clear()), found from
+// nodes of the roadmap and from configurations spread over the joints' ranges by the damped inverse of the
+// Jacobian, and where that leads to none that is clear by steps of the programme, which keep links off
+// (LinkMotion::led_clear()). Those that lie in sensed space come first, then by how near they are to the
 // roadmap. Few: at most 4; empty when none is found. The same calls give the same answer.
 
 /// With the control point at a place (world), to a tenth of λ.
-std::vector<kinematics::Configuration> goal_postures(const LinkMotion&, const Roadmap&,
+std::vector<kinematics::Configuration> goal_postures(LinkMotion&, const Roadmap&,
                                                      const Eigen::Vector3d& place);
 
 /// A place where surface is suspected (world).
@@ -31,8 +32,7 @@ enum class Sight {
 };
 
 /// With one of these sensors looking at the place: its axis goes through it to a tenth of λ, and nothing of
-/// the model is between. Where the inverse of the Jacobian leads to none that is clear, steps of the
-/// programme, which keep links off, are tried (LinkMotion::led_clear()).
+/// the model is between.
 std::vector<kinematics::Configuration> sighting_postures(LinkMotion&, const Roadmap&, const Suspicion&, Sight,
                                                          std::span<const std::size_t> sensors);
 
