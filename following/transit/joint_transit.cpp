@@ -158,9 +158,9 @@ bool JointTransit::go_round(const Observation& seen) {
 
 Travel::Progress JointTransit::look(const Observation& seen, bool) {
   constexpr int kStops = 6;
-  const bool stopped = is_stopped(seen.posture.configuration()) || has_come_upon_something();
+  const bool stopped = is_stopped(seen.posture.configuration());
   if (stopped) roadmap_.block(way_.back()), ++stops_;
-  const bool is_hopeless = stops_ >= kStops || --steps_left_ <= 0;
+  const bool is_hopeless = stops_ >= kStops || --steps_left_ <= 0 || has_come_upon_something();
   if (is_hopeless) stops_ = 0;
   if (is_hopeless) return Travel::Progress::hopeless;
   return stopped && !go_round(seen) ? Travel::Progress::stopped : Travel::Progress::good;
