@@ -13,8 +13,8 @@ namespace limpet::following::internal {
 /// felt. To know that takes longer than anything else in a step, and the longer, the more polygons there are.
 class ClosingWatch {
  public:
-  /// `open` must outlive it. `beside`: no step is kept waiting; what is asked is worked out beside the run, and
-  /// told a period later.
+  /// `open` must outlive it. `beside`: no step is kept waiting; what is asked is worked out beside the run,
+  /// and told a period later.
   ClosingWatch(OpenEdgeMap& open, bool beside) : open_(open), is_beside_(beside) {}
 
   /// To be called once for each set.

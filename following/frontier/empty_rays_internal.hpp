@@ -10,11 +10,11 @@
 
 namespace limpet::following::internal {
 
-constexpr double kThrough = 0.4;             ///< λ: a ray goes through a place
+constexpr double kThrough = 0.4;              ///< λ: a ray goes through a place
 constexpr double kLeastThroughCosine = 0.25;  ///< of its incidence
 
-/// What of each sensor's ray is known to be free, but for the last bit: a surface a little before the one that
-/// is expected is the same. A reading may be λ beside its axis.
+/// What of each sensor's ray is known to be free, but for the last bit: a surface a little before the one
+/// that is expected is the same. A reading may be λ beside its axis.
 std::vector<Ray> free_rays(const Observation&, double resolution);
 
 /// Remembers the targets that a ray went through.

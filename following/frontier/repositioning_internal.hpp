@@ -14,16 +14,16 @@
 
 namespace limpet::following::internal {
 
-/// Takes a robot to configurations from which a sensor sees what is left, when following has nothing else left
-/// to do: what was out of reach may be within (thesis §3.4.7 has it for later, §5.2 as future work).
+/// Takes a robot to configurations from which a sensor sees what is left, when following has nothing else
+/// left to do: what was out of reach may be within (thesis §3.4.7 has it for later, §5.2 as future work).
 class Repositioning {
  public:
   /// All must outlive it.
   Repositioning(const Parameters& p, OpenEdgeMap& open, PlaceMemory& memory, TargetFinder& finder)
       : parameters_(p), open_(open), memory_(memory), finder_(finder), tried_(p.resolution) {}
 
-  /// Begins a way to where the nearest that is left is seen, of edges, then of these targets; what no way leads
-  /// to becomes unreachable. Returns whether there is one.
+  /// Begins a way to where the nearest that is left is seen, of edges, then of these targets; what no way
+  /// leads to becomes unreachable. Returns whether there is one.
   bool begin(const Observation&, Transit&, const std::vector<Target>& near);
   bool is_under_way() const { return sought_.has_value(); }
   void stop() { sought_.reset(); }

@@ -18,8 +18,8 @@ struct Wish {
   std::function<bool(const kinematics::Posture&)> holds;
 };
 
-/// Clear configurations that fulfil one of the wishes, as goal_postures() tells. `place`: nodes of the roadmap
-/// near it are begun with.
+/// Clear configurations that fulfil one of the wishes, as goal_postures() tells. `place`: nodes of the
+/// roadmap near it are begun with.
 std::vector<kinematics::Configuration> clear_goals(LinkMotion&, const Roadmap&, const Eigen::Vector3d& place,
                                                    const std::vector<Wish>&);
 

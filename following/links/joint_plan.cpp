@@ -147,11 +147,19 @@ class Planner {
 
 std::optional<JointPlan> plan_to(const std::vector<Configuration>& goals, const LinkMotion& links,
                                  const Roadmap& roadmap) {
+  return plan_to_but_from(kNone, goals, links, roadmap);
+}
+
+std::optional<JointPlan> plan_to_but_from(std::size_t node, const std::vector<Configuration>& goals,
+                                          const LinkMotion& links, const Roadmap& roadmap) {
   constexpr std::size_t kRoots = 40;
   for (const bool only_sensed : {true, false})
-    for (const Configuration& goal : goals)
-      if (auto plan = Planner(links, roadmap, only_sensed).plan(roadmap.nearest(goal, kRoots), goal))
-        return plan;
+    for (const Configuration& goal : goals) {
+      std::vector<std::size_t> roots = roadmap.nearest(goal, kRoots);
+      std::erase(roots, node);
+      if (roots.empty()) continue;
+      if (auto plan = Planner(links, roadmap, only_sensed).plan(roots, goal)) return plan;
+    }
   return std::nullopt;
 }
 

@@ -24,6 +24,10 @@ struct JointPlan {
 /// both ends in turn.
 std::optional<JointPlan> plan_to(const std::vector<kinematics::Configuration>& goals, const LinkMotion&,
                                  const Roadmap&);
+/// The same, but not from this node of the roadmap.
+std::optional<JointPlan> plan_to_but_from(std::size_t node,
+                                          const std::vector<kinematics::Configuration>& goals,
+                                          const LinkMotion&, const Roadmap&);
 /// The same from this node alone.
 std::optional<JointPlan> plan_from(std::size_t node, const std::vector<kinematics::Configuration>& goals,
                                    const LinkMotion&, const Roadmap&);

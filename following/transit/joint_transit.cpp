@@ -37,7 +37,7 @@ class JointTransit final : public Transit {
   const Roadmap::Node& node(std::size_t i) const { return roadmap_.nodes()[i]; }
   bool begin_to_one_of(const std::vector<Configuration>& goals);
   void set_way(std::vector<std::size_t> way, Mode);
-  bool go_round(const Observation&);
+  bool go_round(const Observation&, bool turns_back);
   bool is_stopped(const Configuration& here);
   bool has_come_upon_something() const;
   std::vector<std::size_t> shortened(std::vector<std::size_t> way) const;
@@ -139,8 +139,9 @@ bool JointTransit::has_come_upon_something() const {
   return mode_ == Mode::reposition && links_.clearance() < kTooNear * links_.parameters().least_distance;
 }
 
-/// A new way, from here to the goal or to a node on the way there.
-bool JointTransit::go_round(const Observation& seen) {
+/// A new way to the goal or to a node on the way there: from here, or where this is no place to go on from,
+/// from where the robot has been before.
+bool JointTransit::go_round(const Observation& seen, bool turns_back) {
   roadmap_.arrive_exactly(seen.posture);
   std::vector<Configuration> ends;
   for (const std::size_t i : {std::size_t{0}, way_.size() / 2, way_.size() - 1})
@@ -148,7 +149,8 @@ bool JointTransit::go_round(const Observation& seen) {
   std::erase_if(ends, [&](const Configuration& end) {
     return !links_.guard().is_clear(kinematics::Posture(links_.guard().robot(), end), links_.obstacles());
   });
-  const auto plan = plan_from(roadmap_.present(), ends, links_, roadmap_);
+  const auto plan = turns_back ? plan_to_but_from(roadmap_.present(), ends, links_, roadmap_)
+                               : plan_from(roadmap_.present(), ends, links_, roadmap_);
   if (!plan) return false;
   const std::size_t goal = way_.front();
   roadmap_.add_way(plan->from, plan->after);
@@ -158,12 +160,13 @@ bool JointTransit::go_round(const Observation& seen) {
 
 Travel::Progress JointTransit::look(const Observation& seen, bool) {
   constexpr int kStops = 6;
-  const bool stopped = is_stopped(seen.posture.configuration());
+  const bool turns_back = has_come_upon_something();
+  const bool stopped = is_stopped(seen.posture.configuration()) || turns_back;
   if (stopped) roadmap_.block(way_.back()), ++stops_;
-  const bool is_hopeless = stops_ >= kStops || --steps_left_ <= 0 || has_come_upon_something();
+  const bool is_hopeless = stops_ >= kStops || --steps_left_ <= 0;
   if (is_hopeless) stops_ = 0;
   if (is_hopeless) return Travel::Progress::hopeless;
-  return stopped && !go_round(seen) ? Travel::Progress::stopped : Travel::Progress::good;
+  return stopped && !go_round(seen, turns_back) ? Travel::Progress::stopped : Travel::Progress::good;
 }
 
 /// Straight to the farthest node of the way, of the next few, that can be gone to.
