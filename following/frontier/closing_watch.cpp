@@ -2,6 +2,7 @@
 #include "closing_watch_internal.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limpet::following::internal {
 
@@ -26,8 +27,11 @@ void ClosingWatch::take_forecast() {
 
 void ClosingWatch::look(const Observation& seen) {
   ++sets_;
+  constexpr double kDue =
+      0.85;  // of a period: the sooner, the fewer sets are made in vain; it takes some time
   const long period = this->period(seen);
-  if (forecast_.is_asked() && sets_ - forecast_.asked() >= period) take_forecast();
+  if (forecast_.is_asked() && sets_ - forecast_.asked() >= std::lround(kDue * static_cast<double>(period)))
+    take_forecast();
   if (forecast_.is_asked() || sets_ - known_ < period) return;
   if (!is_beside_) return tell(seen);
   forecast_.ask(seen.model, sets_);
