@@ -14,7 +14,7 @@ namespace limpet::following::internal {
 class ClosingWatch {
  public:
   /// `open` must outlive it. `beside`: no step is kept waiting; what is asked is worked out beside the run,
-  /// and told a period later.
+  /// and told most of a period later.
   ClosingWatch(OpenEdgeMap& open, bool beside) : open_(open), is_beside_(beside) {}
 
   /// To be called once for each set.
