@@ -14,14 +14,15 @@ using kinematics::Posture;
 
 /// An arm of three bars before a wall, that goes as its transit tells it.
 struct ArmTraveller {
-  kinematics::Robot robot = bars(3);
+  kinematics::Robot robot;
   model::Model model{model::Parameters{}};
   LinkMotion links{robot, usual_link_parameters(usual_parameters(0.05), Redundancy::programme)};
   std::unique_ptr<Transit> transit = make_joint_transit(links);
   Configuration at;
   double least = 1;  ///< distance from the wall, along the way
 
-  explicit ArmTraveller(const Configuration& start) : at(start) {
+  explicit ArmTraveller(const Configuration& start, const kinematics::Robot& made = bars(3))
+      : robot(made), at(start) {
     model.add_initial(std::vector<model::InitialFace>{wall(2.3, -0.6, 0.6)});
     arrive();
   }
@@ -63,6 +64,22 @@ TEST(JointTransit, GoesToAPlaceBehindAWallAndBack) {
   traveller.go();
   EXPECT_LT((traveller.place() - start).norm(), 0.02);
   EXPECT_GE(traveller.least, kLeastOnTheWay);
+}
+
+/// The arm has one sensor, amid its second bar: it is that which must come before the place.
+TEST(JointTransit, GoesWhereASensorOnALinkSeesAPlace) {
+  kinematics::Robot robot = bars(3);
+  robot.sensors = {{1, {0.5, -0.02, 0}, -Vector3d::UnitY(), 0.2}};
+  ArmTraveller traveller(Vector3d(1.0, 0.4, 0.4), robot);
+  const Suspicion suspicion{{0.9, -0.9, 0}, Vector3d(0, 1, 0)};
+  ASSERT_TRUE(traveller.transit->begin_to_see(suspicion));
+  traveller.go();
+  const auto sensor = Posture(traveller.robot, traveller.at).sensor(0);
+  const Vector3d way = suspicion.at - sensor.position;
+  EXPECT_LT((way - way.dot(sensor.axis) * sensor.axis).norm(), 0.02);
+  EXPECT_LT(way.dot(sensor.axis), 0.2);
+  EXPECT_GE(traveller.least, kLeastOnTheWay);
+  EXPECT_FALSE(traveller.transit->begin_to_see({{2.9, 0.9, 0}, Vector3d(-1, 0, 0)})) << "out of reach of it";
 }
 
 TEST(JointTransit, BeginsNothingThatIsOutOfReachOrNotVisited) {

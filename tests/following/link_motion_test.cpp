@@ -206,5 +206,37 @@ TEST(LinkMotion, TheSameCallsGiveTheSameChanges) {
   EXPECT_EQ(run(), run());
 }
 
+/// To the second order, no end of a link goes farther than λ into space that no ray went through and no link
+/// was in; where all is sensed it goes as far as its ceilings let it.
+TEST(LinkMotion, StepsIntoTheUnknownAreShort) {
+  kinematics::Robot robot = bars(3);
+  robot.ceilings.revolute_rad = 0.3;
+  const Parameters parameters = usual_parameters(0.05);
+  const model::Model nothing{model::Parameters{}};
+  const auto body = kinematics::moving_body(robot, 2 * parameters.resolution);
+  const auto farthest = [&](const Configuration& from, const Configuration& to) {
+    double longest = 0;
+    for (const auto& part : body) {
+      const model::Capsule a = kinematics::in_world(part, Posture(robot, from)),
+                           b = kinematics::in_world(part, Posture(robot, to));
+      longest = std::max({longest, (b.a - a.a).norm(), (b.b - a.b).norm()});
+    }
+    return longest;
+  };
+  LinkMotion motion(robot, usual_link_parameters(parameters, Redundancy::programme));
+  const Configuration start = Vector3d(0, 0, 0), end = Vector3d(1, 0, 0);
+  Configuration at = start;
+  int steps = 0;
+  for (; (end - at).norm() > 1e-9 && steps < 100; ++steps) {
+    motion.look({nothing, {}, Posture(robot, at), {}});
+    const Configuration next = at + motion.towards(end);
+    EXPECT_LE(farthest(at, next), 1.01 * parameters.resolution);
+    at = next;
+  }
+  EXPECT_LT(steps, 100) << "it gets there";
+  motion.look({nothing, {}, Posture(robot, at), {}});
+  EXPECT_GT(farthest(at, at + motion.towards(start)), 2 * parameters.resolution) << "back it knows its way";
+}
+
 }  // namespace
 }  // namespace limpet::following

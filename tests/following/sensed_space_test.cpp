@@ -73,5 +73,24 @@ TEST(SensedSpace, HoldsTheAxesOfSwitchesThatSeeNothing) {
   }
 }
 
+/// A link that is wide does not fit where a thin one has been.
+TEST(SensedSpace, HoldsWhatALinkIsNotItsAxisAlone) {
+  kinematics::Robot robot;
+  robot.links.resize(1);
+  robot.links[0].joint.kind = kinematics::Joint::Kind::prismatic;
+  robot.links[0].body = {{Vector3d(0, 0, 0.05), Vector3d(0.8, 0, 0.05), 0.01}};
+  const Posture posture(robot, Configuration::Zero(1));
+  const model::Model nothing{model::Parameters{}};
+  SensedSpace thin(kCell), wide(kCell);
+  thin.add({nothing, {}, posture, {}}, kinematics::moving_body(robot, 0), 0.05);
+  model::Capsule capsule{Vector3d(0.1, 0, 0.05), Vector3d(0.7, 0, 0.05), 0.01};
+  EXPECT_TRUE(thin.holds(capsule));
+  capsule.radius = 0.25;
+  EXPECT_FALSE(thin.holds(capsule));
+  robot.links[0].body[0].radius = 0.25;
+  wide.add({nothing, {}, posture, {}}, kinematics::moving_body(robot, 0), 0.05);
+  EXPECT_TRUE(wide.holds(model::Capsule{Vector3d(0, 0, 0.05), Vector3d(0.8, 0, 0.05), 0.25}));
+}
+
 }  // namespace
 }  // namespace limpet::following

@@ -144,5 +144,19 @@ TEST(Targets, SurroundAPointSegment) {
   EXPECT_TRUE(targets.empty()) << "it is not known which way it faces";
 }
 
+/// What could not be aimed at was not looked at in vain: it is out of reach, and may be reached otherwise.
+TEST(Targets, WhatIsInsistedOnAndBlockedIsUnreachableNotUnclosable) {
+  const model::Model model = initial_model({{rectangle(0, 0, 1, 1)}});
+  OpenPart part = right_side(model, segments_of(model)[0], 1);
+  part.insist = true;
+  Finder blocked, failed;
+  for (int i = 0; i < 100 && blocked.add(model, part) == PartState::wanted; ++i)
+    blocked.memory.note_blocked(blocked.targets.back().at, blocked.targets.back().normal);
+  EXPECT_EQ(blocked.add(model, part), PartState::unreachable);
+  for (int i = 0; i < 100 && failed.add(model, part) == PartState::wanted; ++i)
+    failed.memory.note_failed(failed.targets.back().at, failed.targets.back().normal);
+  EXPECT_EQ(failed.add(model, part), PartState::unclosable);
+}
+
 }  // namespace
 }  // namespace limpet::following::internal

@@ -108,6 +108,30 @@ std::string pattern_complaint(const std::function<void()>& make) {
   return {};
 }
 
+/// As the thesis's arm: its links are half a resolution wide, and have rings of four at two resolutions.
+TEST(Skin, SeesAsDenselyAroundAWideLinkAsAroundAThinOne) {
+  constexpr double kSpacing = 0.06;
+  std::size_t before = 0;
+  for (const double radius : {0.0, 0.015, 0.03, 0.05, 0.09, 0.2}) {
+    Robot robot;
+    robot.links.resize(1);
+    robot.links[0].body = {{Vector3d::Zero(), Vector3d(0, 0, 0.3), radius}};
+    const std::vector<RangeSensor> sensors = skin(robot, {.link = 0, .spacing = kSpacing, .range = 0.12});
+    std::size_t around = 0;  // of the first ring
+    for (const RangeSensor& sensor : sensors) {
+      EXPECT_NEAR(sensor.position.head<2>().norm(), radius, 1e-12);
+      if (std::abs(sensor.position.z()) < 1e-12) ++around;
+    }
+    const double between = 2 * std::numbers::pi * (radius + 0.6 * kSpacing) / static_cast<double>(around);
+    EXPECT_LE(between, 1.35 * kSpacing) << "from ray to ray, in front of the link";
+    EXPECT_GE(around, std::max<std::size_t>(before, 4));
+    before = around;
+    EXPECT_TRUE(radius != 0.015 || around == 4) << around;
+    EXPECT_EQ(skin(robot, {.link = 0, .spacing = kSpacing, .count = 3, .range = 0.12}).size(),
+              sensors.size() / around * 3);
+  }
+}
+
 TEST(SensorPatterns, SayWhatIsWrong) {
   const Vector3d zero = Vector3d::Zero();
   EXPECT_EQ(pattern_complaint([] { ring({}); }), "the range of sensors must be a number more than 0");
