@@ -13,7 +13,7 @@
 namespace limpet::following::internal {
 namespace {
 
-RunOptions run_over_an_L() {
+RunOptions run_over_l_shape() {
   RunOptions options;
   options.shape = "L";
   options.most_sets = 160;
@@ -34,7 +34,7 @@ TEST(FinishForecast, IsOfTheModelAsItWasWhenAsked) {
   std::size_t open = 0;
   long set = 0, asked = 0;
   int taken = 0;
-  run_following(run_over_an_L(), [&](const Observation& seen, const Motion&) {
+  run_following(run_over_l_shape(), [&](const Observation& seen, const Motion&) {
     ++set;
     if (forecast.is_asked() && set - asked == 7) {
       EXPECT_EQ(forecast.asked(), asked);
@@ -63,7 +63,7 @@ std::map<std::uint64_t, bool> told(OpenEdgeMap& map, const model::View& view) {
 }
 
 TEST(ClosingWatch, WithinTheStepItTellsEveryTwentySets) {
-  const RunOptions options = run_over_an_L();
+  const RunOptions options = run_over_l_shape();
   OpenEdgeMap map(options.resolution);
   ClosingWatch watch(map, false);
   std::int64_t sets = 0;
@@ -80,7 +80,7 @@ TEST(ClosingWatch, WithinTheStepItTellsEveryTwentySets) {
 }
 
 TEST(ClosingWatch, BesideTheRunItTellsTheSameLater) {
-  const RunOptions options = run_over_an_L();
+  const RunOptions options = run_over_l_shape();
   OpenEdgeMap map(options.resolution), again(options.resolution);
   ClosingWatch watch(map, true), same(again, true);
   std::set<std::uint64_t> expected;
@@ -102,7 +102,7 @@ TEST(ClosingWatch, BesideTheRunItTellsTheSameLater) {
 }
 
 TEST(ClosingWatch, WhatIsKnownOfThisSetIsNotAskedAgain) {
-  const RunOptions options = run_over_an_L();
+  const RunOptions options = run_over_l_shape();
   OpenEdgeMap map(options.resolution);
   ClosingWatch watch(map, true);
   run_following(options, [&](const Observation& seen, const Motion&) {
