@@ -33,7 +33,9 @@ namespace limpet::following {
 ///      nearer to the centre of its field, to first order, unless nothing else leads links away from what is
 ///      too near (where the model has something it is known better); `thesis`: links that have switches are
 ///      led away by all that see something, and by these alone;
-///  (6) the same calls give the same changes.
+///  (6) `programme`: where changes lead a link into space that was not seen to be free (SensedSpace), none of
+///      its ends goes farther than λ, to second order: what is there is sensed before links get to it;
+///  (7) the same calls give the same changes.
 class LinkMotion {
  public:
   LinkMotion(const kinematics::Robot&, const LinkParameters&);
@@ -65,8 +67,7 @@ class LinkMotion {
 
   /// The changes for a motion of the control point (world, scan's unit).
   kinematics::Configuration changes(const Eigen::Vector3d& motion);
-  /// The longest step straight towards a configuration that is clear and leads where space was seen to be
-  /// free; none: zero. Precondition: is_checked().
+  /// The longest step straight towards a configuration that is clear; none: zero. Precondition: is_checked().
   kinematics::Configuration towards(const kinematics::Configuration&) const;
   /// The posture to which such changes, one after the other and without halving, would bring the control
   /// point to this place in a few steps more than its way takes, by what is known now; none: they do not.
