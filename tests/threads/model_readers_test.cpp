@@ -1,6 +1,8 @@
 // Copyright the limpet authors. GPL-3.0-or-later.
 //
 // What a const Model is asked, by several threads at once.
+#include <algorithm>
+#include <future>
 #include <limpet/model/view.hpp>
 #include <limpet/survey/random.hpp>
 
@@ -105,6 +107,24 @@ TEST(ModelReaders, OfACity) {
   ASSERT_GT(model.counts().shared_edges, 0);
   ASSERT_FALSE(model.open_edges().empty());
   expect_readers_agree(model);
+}
+
+/// A copy is asked what finishing would close while the model that it was made of goes on: neither notices.
+TEST(ModelReaders, OfACopyWhileTheModelGoesOn) {
+  const testing::Scan scan =
+      testing::scanned("city:4", 6000, 0.0005, simulation::ScanOptions::Order::shuffled);
+  Model alone(scan.parameters), with_copies(scan.parameters);
+  constexpr std::ptrdiff_t kSet = 500;
+  for (std::size_t first = 0; first < scan.points.size(); first += kSet) {
+    const auto begin = scan.points.begin() + static_cast<std::ptrdiff_t>(first);
+    const testing::Points set(begin, begin + std::min(kSet, scan.points.end() - begin));
+    const Answer expected = outcome(with_copies);
+    auto answer = std::async(std::launch::async,
+                             [bytes = with_copies.state()] { return outcome(Model::from_state(bytes)); });
+    for (Model* model : {&alone, &with_copies}) testing::feed(*model, set);
+    EXPECT_EQ(answer.get(), expected);
+  }
+  EXPECT_EQ(record(with_copies), record(alone));
 }
 
 }  // namespace
