@@ -65,6 +65,7 @@ class FrontierFollower : public Follower {
   Motion travel(const Observation&, bool has_moved);
   void look_from_afar(const Observation&);
   bool begin_travel(const Observation&);
+  bool begin_again(const Observation&);
 
   double lambda() const { return parameters().resolution; }
   /// Open edges this near can be aimed at.
@@ -87,7 +88,8 @@ class FrontierFollower : public Follower {
   internal::Outlook outlook_;
   std::optional<internal::ExpectedPlanes> planes_;  ///< of the outlook
   std::optional<Aim> aim_;
-  Vector3d before_ = Vector3d::Zero();
+  Vector3d before_ = Vector3d::Zero(), start_ = Vector3d::Zero();
+  bool has_begun_again_ = false;
   long sets_ = 0;
   int retries_ = 0;
 };
@@ -222,6 +224,14 @@ bool FrontierFollower::begin_travel(const Observation& seen) {
   return transit_->begin(wanted);
 }
 
+/// A sensor that said a distance wherever it was may have led the robot away until that was seen: where
+/// nothing is modelled at the end, the surface that it began at is gone back to, once.
+bool FrontierFollower::begin_again(const Observation& seen) {
+  if (has_begun_again_ || seen.model.counts().polygons > 0) return false;
+  has_begun_again_ = true;
+  return transit_->begin([&](const Vector3d& place) { return (place - start_).norm() < 0.1 * lambda(); });
+}
+
 void FrontierFollower::arrive(const Observation& seen) {
   const bool was_under_way = transit_->is_under_way();
   transit_->arrive(seen);
@@ -241,7 +251,7 @@ Motion FrontierFollower::travel(const Observation& seen, bool has_moved) {
     }
     if (progress != internal::Travel::Progress::good) transit_->stop(), repositioning_.stop();
   }
-  if (!transit_->is_under_way() && !begin_travel(seen))
+  if (!transit_->is_under_way() && !begin_travel(seen) && !begin_again(seen))
     return {Vector3d::Zero(), {}, Mode::travel, End::complete};
   return transit_->next(seen);
 }
@@ -260,7 +270,7 @@ void FrontierFollower::begin(const Observation& seen) {
     transit_ = internal::make_joint_transit(*links);
   else
     transit_ = internal::make_place_transit(lambda(), step(seen), clearance());
-  before_ = seen.posture.control_point();
+  before_ = start_ = seen.posture.control_point();
 }
 
 Motion FrontierFollower::choose(const Observation& seen) {

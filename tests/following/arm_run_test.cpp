@@ -95,6 +95,14 @@ TEST(ArmRun, AJointThatSticksIsFound) {
   }
 }
 
+/// Two sensors say δ wherever they are, until that is seen: what they led it after was no surface. It goes
+/// back to where it felt one.
+TEST(ArmRun, WhatLedItAwayIsNotTheEnd) {
+  app::SceneFile scene = scene_of(Strategy::frontier, 1);
+  scene.errors.stuck = {{3, 0.2}, {9, 0.2}};
+  expect_felt(run(scene));
+}
+
 TEST(ArmRun, EndsWhereNoJointMoves) {
   app::SceneFile scene = scene_of(Strategy::frontier, 1);
   for (std::size_t joint = 0; joint < 6; ++joint) scene.errors.stuck_joints.push_back({joint, 0});
