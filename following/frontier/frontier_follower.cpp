@@ -189,9 +189,9 @@ Motion FrontierFollower::go_on(const Observation& seen) {
 /// From here nothing can be aimed at: all targets near are blocked, for now. Where that was judged and not
 /// tried, to try it again would tell nothing new.
 void FrontierFollower::give_up_what_is_near(const Observation& seen) {
-  const int times = judge() ? internal::PlaceMemory::kBlocked : 1;
   for (const Target& target : outlook_.targets)
-    for (int i = 0; i < times; ++i) memory_.note_blocked(target.at, target.normal);
+    judge() ? memory_.note_out_of_reach(target.at, target.normal)
+            : memory_.note_blocked(target.at, target.normal);
   if (judge()) look_around(seen);
 }
 

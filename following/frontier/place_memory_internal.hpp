@@ -31,6 +31,10 @@ class PlaceMemory {
   void note_empty(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) { ++tries(at, normal).empty; }
   void note_failed(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) { ++tries(at, normal).failed; }
   void note_blocked(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) { ++tries(at, normal).blocked; }
+  /// It need not be tried again until what was blocked is forgotten.
+  void note_out_of_reach(const Eigen::Vector3d& at, const Eigen::Vector3d& normal) {
+    tries(at, normal).blocked += kBlocked;
+  }
   /// What was blocked is to be tried again.
   void forget_blocked() {
     for (Tries& tries : tries_) tries.blocked = tries.aimed = 0;

@@ -36,7 +36,7 @@ bool Repositioning::begin_to_see(const Target& target, Transit& transit) {
   const bool was_tried = this->was_tried(target);
   if (!was_tried) tried_.put(target.at, target.normal);
   if (was_tried || !transit.begin_to_see({target.at, target.normal})) {
-    for (int i = 0; i < PlaceMemory::kBlocked; ++i) memory_.note_blocked(target.at, target.normal);
+    memory_.note_out_of_reach(target.at, target.normal);
     return false;
   }
   sought_ = target;

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "goals_internal.hpp"
+#include "clear_goals_internal.hpp"
 
 namespace limpet::following::internal {
 namespace {

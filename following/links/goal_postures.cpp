@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "goals_internal.hpp"
+#include "clear_goals_internal.hpp"
 
 namespace limpet::following {
 namespace {
