@@ -190,8 +190,10 @@ Motion FrontierFollower::go_on(const Observation& seen) {
 /// tried, to try it again would tell nothing new.
 void FrontierFollower::give_up_what_is_near(const Observation& seen) {
   for (const Target& target : outlook_.targets)
-    judge() ? memory_.note_out_of_reach(target.at, target.normal)
-            : memory_.note_blocked(target.at, target.normal);
+    if (judge())
+      memory_.note_out_of_reach(target.at, target.normal);
+    else
+      memory_.note_blocked(target.at, target.normal);
   if (judge()) look_around(seen);
 }
 
